@@ -133,8 +133,8 @@ impl Verb for Args {
     ];
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp, and --hold for \
-         --duration or Ctrl-C. A plain 0 is said at once, and ends within 20 s unless the shaft becomes slower; of several drives each has \
-         that besides the time that the others take.",
+         --duration or Ctrl-C. A plain 0 is said at once, and ends within 20 s unless the shaft becomes slower; several \
+         drives together within 20 s for each of them.",
     );
     const ALIAS: Option<&'static str> = Some("setpoint");
     const TURNS: bool = true;

@@ -26,8 +26,8 @@ use clap::{Args as ClapArgs, Subcommand};
 /// at once, on several drives too (-a 1-5); everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 ///
-/// Exit code of a stop of several: 0 if every shaft is proven to stand, 9 if some are; if none is, that of the drive of which
-/// least is known. The page says it of each.
+/// Exit code of a stop of several: 0 if every shaft is proven to stand (behind `disable-voltage`, and where P.392 lets it coast: if every
+/// drive is proven to have no power), 9 if some are; if none is, that of the drive of which least is known. The page says it of each.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]
@@ -117,8 +117,8 @@ impl Verb for Args {
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp; `reset` waits for the \
          15 s of the drive's lock, and --hold for --duration or Ctrl-C. `disable`, `disable-voltage` and `quick-stop` are said \
-         at once, and end within 20 s unless the shaft becomes slower; of several drives each has \
-         that besides the time that the others take.",
+         at once, and end within 20 s unless the shaft becomes slower; several drives together within 20 s for each of \
+         them.",
     );
     const ALIAS: Option<&'static str> = Some("state");
     const TURNS: bool = true;

@@ -222,13 +222,13 @@ impl<'a> Session<'a> {
         let limits = Limits { insist, reply_timeout, since: self.since, listen, ..limits };
         let mut asked = 0;
         loop {
-            self.take_turn().await;
             if self.is_over() {
                 return Err(self.too_late());
             }
+            let ends_at = self.take_turn().await;
             let tries = self.tries(limits.retries.saturating_sub(asked));
             let once = (question.clone(), Limits { retries: tries, gives_way: self.gives_way(), ..limits });
-            let put = async |line: &mut OpenLine<'a>| line.put(station, once, &self.interrupt, self.ends_at).await;
+            let put = async |line: &mut OpenLine<'a>| line.put(station, once, &self.interrupt, ends_at).await;
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             match outcome {

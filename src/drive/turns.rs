@@ -1,7 +1,8 @@
 //! Several conversations on one line take turns. Each is written as if it had the line to itself; whenever it rests, or waits for
 //! an answer in vain, it is the turn of another.
 //!
-//! Who is silent costs the others little: he gets a question when everybody else had his turn, and no more than half of the time.
+//! Who is silent or slow costs the others little: he gets a question when everybody else had his turn, and no more than half of the
+//! time.
 
 use super::interrupt::Interrupt;
 use crate::tick::{Span, Tick};
@@ -11,6 +12,11 @@ use std::task::{Poll, Waker};
 
 /// Who has asked for so long gives way to whoever waits: two or three questions at 19200 Bd, which is one look at a shaft.
 const TURN: Span = Span::from_millis(100);
+/// Whose turn lasts so long answers slowly: it is more than a turn and its last question take with a drive that answers at once.
+const SLOW: Span = Span::from_millis(250);
+
+/// A look at a shaft that proves something: its state before and behind it.
+const LOOK: u8 = 3;
 
 /// A place at the line. Whoever leaves it gives it up.
 #[derive(Debug)]
@@ -24,11 +30,12 @@ struct Table {
     places: Vec<Place>,
     /// Whose turn it is.
     holder: Option<usize>,
-    /// When it began.
+    /// When it began, and how many answers came in it.
     begun: Tick,
+    answers: u8,
     now: Tick,
-    /// Who is silent does not get the line again before that, as long as somebody answers.
-    quiet_until: Tick,
+    /// Who is silent or slow does not get the line again before that, as long as somebody answers at once.
+    held_until: Tick,
 }
 
 #[derive(Debug, Default)]
@@ -37,7 +44,12 @@ struct Place {
     wants: Option<Tick>,
     /// He has not answered.
     quiet: bool,
-    /// He had a turn since a silent one had his.
+    /// His turns are long ones: his last two, or all that he had.
+    slow: bool,
+    /// How many of the last ones were long, and whether any was not.
+    long: u8,
+    prompt: bool,
+    /// He had a turn since a slow one had his.
     served: bool,
     gone: bool,
     waker: Option<Waker>,
@@ -79,7 +91,7 @@ impl Seat {
     /// Whether the turn is to be given away before another question.
     pub(super) fn is_over(&self, now: Tick) -> bool {
         let table = self.table.borrow();
-        !table.is_alone(self.at) && (table.is_quiet(self.at) || now.since(table.begun) > TURN)
+        !table.is_alone(self.at) && (table.is_quiet(self.at) || table.lasts(now))
     }
 
     /// Whether the last question brought no answer.
@@ -94,7 +106,9 @@ impl Seat {
 
     /// Takes note of an answer, or of none.
     pub(super) fn was_answered(&self, answered: bool) {
-        if let Some(place) = self.table.borrow_mut().places.get_mut(self.at) {
+        let mut table = self.table.borrow_mut();
+        table.answers = table.answers.saturating_add(answered.into());
+        if let Some(place) = table.places.get_mut(self.at) {
             place.quiet = !answered;
         }
     }
@@ -127,9 +141,25 @@ impl Drop for Seat {
     }
 }
 
+impl Place {
+    /// He had a turn, long or not; whether he is slow. One answer that was lost makes nobody so.
+    fn had(&mut self, is_long: bool) -> bool {
+        self.prompt |= !is_long;
+        self.long = if is_long { self.long.saturating_add(1) } else { 0 };
+        self.slow = is_long && (self.long > 1 || !self.prompt);
+        self.slow
+    }
+}
+
 impl Table {
     fn is_alone(&self, at: usize) -> bool {
         self.places.iter().enumerate().all(|(other, place)| place.gone || other == at)
+    }
+
+    /// Whether the present turn was long enough. What was owed to somebody else is waited for in it, so it holds a look all the same.
+    fn lasts(&self, now: Tick) -> bool {
+        let since = now.since(self.begun);
+        since > SLOW || (since > TURN && self.answers >= LOOK)
     }
 
     fn is_quiet(&self, at: usize) -> bool {
@@ -137,14 +167,20 @@ impl Table {
     }
 
     fn give_way(&mut self, at: usize, now: Tick, due: Tick) {
-        let (took, quiet) = (now.since(self.begun), self.is_quiet(at));
+        let took = now.since(self.begun);
+        let is_long = self.is_quiet(at) || took >= SLOW;
+        let lost_one = self.is_quiet(at) && self.answers > 0;
+        let slow = self.places.get_mut(at).is_some_and(|place| {
+            place.prompt |= lost_one;
+            place.had(is_long)
+        });
         self.now = now;
-        if quiet {
-            self.quiet_until = now + took;
+        if slow {
+            self.held_until = now + took;
             self.places.iter_mut().for_each(|place| place.served = false);
         }
         if let Some(place) = self.places.get_mut(at) {
-            (place.wants, place.served) = (Some(due), !quiet);
+            (place.wants, place.served) = (Some(due), !slow);
         }
         self.holder = None;
         self.call();
@@ -153,7 +189,7 @@ impl Table {
     /// Calls who is next.
     fn call(&mut self) {
         let Some(next) = self.next() else { return };
-        (self.holder, self.begun) = (Some(next), self.now);
+        (self.holder, self.begun, self.answers) = (Some(next), self.now, 0);
         let place = self.places.get_mut(next);
         if let Some(place) = place {
             place.wants = None;
@@ -161,7 +197,7 @@ impl Table {
         }
     }
 
-    /// Who answers and has waited longest, then who is silent; if nobody wants it yet, who does first.
+    /// Who answers at once and has waited longest, then who is slow; if nobody wants it yet, who does first.
     fn next(&self) -> Option<usize> {
         let first = |is: &dyn Fn(&Place) -> bool| {
             let waiting = self.places.iter().enumerate().filter(|(_, place)| is(place));
@@ -169,11 +205,11 @@ impl Table {
             waiting.min().map(|(_, at)| at)
         };
         let is_due = |place: &Place| place.wants.is_some_and(|wants| wants <= self.now);
-        let is_held_back = self.now < self.quiet_until;
-        first(&|place| is_due(place) && !place.quiet && !place.served)
-            .or_else(|| first(&|place| is_due(place) && place.quiet && !is_held_back))
-            .or_else(|| first(&|place| is_due(place) && !place.quiet))
-            .or_else(|| first(&|place| !place.quiet && place.wants.is_some_and(|wants| wants < self.quiet_until)))
+        let is_held_back = self.now < self.held_until;
+        first(&|place| is_due(place) && !place.slow && !place.served)
+            .or_else(|| first(&|place| is_due(place) && place.slow && !is_held_back))
+            .or_else(|| first(&|place| is_due(place) && !place.slow))
+            .or_else(|| first(&|place| !place.slow && place.wants.is_some_and(|wants| wants < self.held_until)))
             .or_else(|| first(&|_| true))
     }
 }
@@ -188,16 +224,16 @@ mod tests {
         Tick::ZERO + Span::from_millis(ms)
     }
 
-    /// Who is called when these wait, each from when on and whether silent, and the present one gives way.
-    fn called(places: &[(u64, bool)], now: u64, quiet_until: u64) -> Option<usize> {
-        let place = |&(wants, quiet): &(u64, bool)| Place { wants: Some(at(wants)), quiet, ..Place::default() };
+    /// Who is called when these wait, each from when on and whether slow, and the present one gives way.
+    fn called(places: &[(u64, bool)], now: u64, held_until: u64) -> Option<usize> {
+        let place = |&(wants, slow): &(u64, bool)| Place { wants: Some(at(wants)), slow, ..Place::default() };
         let places = places.iter().map(place).collect();
-        Table { places, now: at(now), quiet_until: at(quiet_until), ..Table::default() }.next()
+        Table { places, now: at(now), held_until: at(held_until), ..Table::default() }.next()
     }
 
     #[test]
     fn who_answers_comes_before_who_is_silent_and_who_waited_before_who_came() {
-        for (places, quiet_until, next) in [
+        for (places, held_until, next) in [
             (&[(5, false), (3, false)][..], 0, Some(1)),
             (&[(3, true), (5, false)], 0, Some(1)),
             (&[(3, true), (50, false)], 0, Some(0)),
@@ -211,14 +247,14 @@ mod tests {
             (&[(3, true), (60, false)], 60, Some(0)),
             (&[], 0, None),
         ] {
-            assert_eq!(called(places, 10, quiet_until), next, "{places:?} {quiet_until}");
+            assert_eq!(called(places, 10, held_until), next, "{places:?} {held_until}");
         }
     }
 
     #[test]
     fn a_silent_one_waits_until_everybody_had_his_turn_and_no_longer() {
-        let place = |quiet, served| Place { wants: Some(at(1)), quiet, served, ..Place::default() };
-        let next = |places| Table { places, now: at(10), quiet_until: at(10), ..Table::default() }.next();
+        let place = |slow, served| Place { wants: Some(at(1)), slow, served, ..Place::default() };
+        let next = |places| Table { places, now: at(10), held_until: at(10), ..Table::default() }.next();
         assert_eq!(next(vec![place(true, false), place(false, true), place(false, false)]), Some(2));
         assert_eq!(next(vec![place(false, true), place(true, false), place(false, true)]), Some(1));
     }
@@ -227,12 +263,36 @@ mod tests {
     fn a_turn_is_over_when_nothing_was_answered_or_it_lasts_and_somebody_waits() {
         let seats = seats(2, at(0));
         let [first, second] = &seats[..] else { unreachable!() };
+        (0..LOOK).for_each(|_| first.was_answered(true));
         assert!(!first.is_over(at(100)) && first.is_over(at(101)) && !first.is_alone());
         first.was_answered(false);
         assert!(first.is_over(at(0)) && first.is_quiet() && !second.is_quiet());
         first.table.borrow_mut().give_way(0, at(50), at(50));
         assert_eq!(first.table.borrow().holder, Some(1));
-        assert!(!second.is_over(at(150)) && second.is_over(at(151)), "it began at 50");
+        assert!(!second.is_over(at(300)) && second.is_over(at(301)), "it began at 50, and is no whole look yet");
+        (0..LOOK).for_each(|_| second.was_answered(true));
+        assert!(!second.is_over(at(150)) && second.is_over(at(151)), "now it is");
+    }
+
+    #[test]
+    fn one_answer_that_was_lost_makes_nobody_slow_who_answers_at_once() {
+        let had = |turns: &[bool]| {
+            let mut place = Place::default();
+            turns.iter().map(|&is_long| place.had(is_long)).collect::<Vec<_>>()
+        };
+        assert_eq!(had(&[true, true]), [true, true]);
+        assert_eq!(had(&[false, true, false, true, true, false]), [false, false, false, false, true, false]);
+    }
+
+    #[test]
+    fn who_answers_slowly_has_no_more_than_half_of_the_time_either() {
+        let seats = seats(2, at(0));
+        let table = seats[0].table.clone();
+        seats[0].was_answered(true);
+        table.borrow_mut().give_way(0, at(450), at(450));
+        assert_eq!((table.borrow().holder, table.borrow().held_until), (Some(1), at(900)));
+        table.borrow_mut().give_way(1, at(470), at(520));
+        assert_eq!(table.borrow().holder, Some(1), "it rests, and the line waits for it");
     }
 
     #[test]

@@ -70,6 +70,7 @@ mod line {
 mod motion {
     mod asked_for;
     mod beside;
+    mod by_chance;
     mod clock;
     mod coasting;
     mod copies;

@@ -11,6 +11,7 @@ mod lacking;
 mod leave;
 mod look;
 mod own;
+mod passing;
 mod patience;
 mod relief;
 mod setpoint;
@@ -99,6 +100,8 @@ pub struct Motor<'a, 's> {
     stops: Option<StopChoice>,
     /// The drive was seen to be enabled, so anything else ends the run.
     enabled: bool,
+    /// It was in operation at the last look at its state.
+    works: bool,
     /// It was seen to have power, or was told to take it: its shaft may turn.
     pub powered: bool,
     /// It was stopped before anybody looked: it may have been turning.
@@ -201,6 +204,7 @@ impl<'a, 's> Motor<'a, 's> {
             touched: false,
             stops: None,
             enabled: false,
+            works: false,
             powered: false,
             shouted: false,
             first_word: FirstWord::default(),

@@ -2,6 +2,7 @@
 
 use super::lacking::no_control;
 use super::look::working_raw;
+use super::passing::Look;
 use super::still::{QUICK_STOP, STOPPED};
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
@@ -43,6 +44,9 @@ pub const PROOF: Span = Span::from_secs(6);
 /// And so long answers may come that prove nothing, unless the shaft becomes slower.
 const PROVING: Span = Span::from_secs(12);
 
+/// How often what takes motion away is done where the drive answers, but not always.
+const TRIES: u8 = 3;
+
 impl Motor<'_, '_> {
     /// The drive has answered: what takes motion away is waited for on.
     pub(super) fn goes_on(&mut self) {
@@ -74,9 +78,9 @@ impl Motor<'_, '_> {
         self.enabled = false;
         (self.shouted, self.stopping, self.shown) = (true, true, None);
         self.sight.forget();
-        self.first_word.glimpse.take().into_iter().for_each(|raw| self.sight.frequency(raw));
+        self.looked_at_before();
         self.session.insist(true);
-        match self.relieve_by(act).await {
+        match self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await {
             Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {
                 self.tell_lost(&failure);
                 Ok(())
@@ -95,6 +99,37 @@ impl Motor<'_, '_> {
                 Err(failure)
             }
             done => done,
+        }
+    }
+
+    /// What was seen in passing, behind the first word.
+    fn looked_at_before(&mut self) {
+        for look in std::mem::take(&mut self.first_word.looks) {
+            match look {
+                Look::Shaft(raw) => self.sight.frequency(raw),
+                Look::Status(status) => self.see(&describe::state(&self.target.family, status).slug),
+            }
+        }
+    }
+
+    /// Does it again where an answer was lost on the way: a line that fails now and then is no reason for another stop than the one
+    /// that was asked for.
+    async fn anew(&mut self, mut work: impl AsyncFnMut(&mut Self) -> Result<(), Failure>) -> Result<(), Failure> {
+        let mut tries = 1;
+        loop {
+            let begun = self.session.now();
+            match work(self).await {
+                Err(failure)
+                    if matches!(failure.class, Class::Silence | Class::Garbled)
+                        && tries < TRIES
+                        && self.heard > begun
+                        && !self.is_off()
+                        && !self.session.is_over() =>
+                {
+                    tries += 1;
+                }
+                done => return done,
+            }
         }
     }
 
@@ -300,8 +335,12 @@ impl Motor<'_, '_> {
         self.stopping = true;
         self.session.insist(true);
         self.prepare(mode);
-        self.give(param, 0, param.unit.as_deref().unwrap_or("")).await?;
-        let standing = self.standstill().await?;
+        self.anew(async |motor: &mut Self| {
+            motor.give(param, 0, param.unit.as_deref().unwrap_or("")).await?;
+            motor.standstill().await.map(|_| ())
+        })
+        .await?;
+        let standing = self.still.flatten();
         if let Some(setpoint) = &mut self.setpoint {
             setpoint.reached = standing;
         }

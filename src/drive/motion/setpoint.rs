@@ -5,6 +5,7 @@ use super::look::{raw, working_raw};
 use super::own::shown;
 use super::patience::ROUND;
 use super::shaft::Watch;
+use super::walk::NOT_OBEYED;
 use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -335,10 +336,10 @@ impl Motor<'_, '_> {
         Ok(status)
     }
 
-    /// Adds to a failure what keeps a drive from running that left the run by itself.
+    /// Adds to a failure what keeps a drive from running that left the run by itself, or does not go where it is told.
     pub(super) async fn explained(&mut self, failure: Failure) -> Failure {
-        let missing = if failure.code == LEFT_RUN { self.missing_now().await } else { Vec::new() };
-        if missing.is_empty() { failure } else { failure.hint(Text::join(&missing, "; ")) }
+        let asks = failure.code == LEFT_RUN || (self.relieving.is_some() && failure.code == NOT_OBEYED);
+        if asks { self.with_what_is_missing(failure).await } else { failure }
     }
 
     /// Asks now and then who has control. That no answer comes is for the look at the state to judge.
@@ -372,9 +373,8 @@ impl Motor<'_, '_> {
 
     /// Whether control was taken away where the status word does not tell: it shows Remote for contacts as well.
     pub(super) async fn was_taken(&mut self) -> bool {
-        let (control, situation) = (self.target.family.motion.control, self.look().await.ok());
-        let mode = situation.and_then(|situation| situation.mode);
-        let taken = control.zip(mode).is_some_and(|(control, mode)| mode != control.obeys);
+        let Some(control) = self.target.family.motion.control else { return false };
+        let taken = self.mode_in_force().await.is_some_and(|mode| mode != control.obeys);
         if taken {
             let failure = self.taken().await;
             self.notes.push(failure.message);
@@ -382,9 +382,14 @@ impl Motor<'_, '_> {
         taken
     }
 
+    /// What the drive takes its control word for, and nothing besides: a stop may wait for that.
+    async fn mode_in_force(&mut self) -> Option<i64> {
+        working_raw(self.session, self.target, "control-mode").await.ok().flatten()
+    }
+
     /// Control was taken away, such as by another data set: who has it now decides what can still be done.
     async fn taken(&mut self) -> Failure {
-        let mode = self.look().await.ok().and_then(|situation| situation.mode);
+        let mode = self.mode_in_force().await;
         let family = self.target.family.clone();
         let is = |with: fn(&Control) -> i64| family.motion.control.is_some_and(|control| mode == Some(with(&control)));
         self.lever = match () {

@@ -25,6 +25,7 @@
 //! - LXM05: a setpoint acts in its own mode only, so that of the mode that the drive shows goes out; if it shows none, that of
 //!   every mode in which a zero brings the shaft to rest.
 
+use super::passing::Look;
 use super::relief::command_of;
 use crate::drive::access::AccessError;
 use crate::drive::route::{Meant, no};
@@ -36,7 +37,7 @@ use crate::profile::{Family, Registry};
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use presumed::{doubted, narrowed, others, presumed};
-use saying::{at_once, glimpsed, in_short, insist, sound, unless_interrupted};
+use saying::{at_once, glimpsed, in_short, insist, passed_by, sound, unless_interrupted};
 use std::collections::VecDeque;
 use std::rc::Rc;
 use word::{first_word, telegrams};
@@ -55,6 +56,8 @@ const SHORT: Span = Span::from_millis(250);
 const GLANCE: Span = Span::from_millis(150);
 /// How long a drive keeps the others waiting in the first round: for as long as a drive may take to answer (CM-485 manual 6.8).
 const TURN: Span = Span::from_millis(500);
+/// Behind a turn that was longer than that the others are looked at.
+const LONG: Span = Span::from_millis(200);
 /// How long one telegram of it may take with its answer, whatever comes over the line.
 const BRIEF: Span = Span::from_millis(450);
 /// The pause before the same is asked again: a drive may say no, or say nothing that can be read, at once.
@@ -83,8 +86,8 @@ pub struct FirstWord {
     pub(super) heard: bool,
     /// The shaft was seen to become slower by it.
     pub(super) obeyed: bool,
-    /// What showed its shaft, asked behind it.
-    pub(super) glimpse: Option<i64>,
+    /// What it showed of itself behind it, in order.
+    pub(super) looks: Vec<Look>,
 }
 
 impl FirstWord {
@@ -129,13 +132,20 @@ pub async fn shout_round<'m>(
     drives: &'m [Meant],
     act: Relief,
 ) -> (Vec<Call<'m>>, bool) {
-    let (mut calls, mut interrupted) = (Vec::new(), false);
+    let (mut calls, mut interrupted): (Vec<Call<'_>>, bool) = (Vec::new(), false);
     // Whose family is named is asked nothing before his word, so its answer could be the echo of the line.
     let mut sounded = command_of(act).is_none() || drives.iter().all(|meant| meant.family.is_none());
     for meant in drives {
         let mut call = Call { tell: if sounded { Tell::First } else { Tell::Unsounded }, ..Call::new(meant, act) };
         session.speaks_of(Some(meant.address));
+        let begun = session.now();
         interrupted |= call.said(session, registry).await;
+        if session.now().since(begun) >= LONG {
+            // A standstill that shows for a while only would be over before everybody was told.
+            for told in &mut calls {
+                told.look(session).await;
+            }
+        }
         sounded = sounded
             || session.echoes().is_some()
             || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
@@ -247,6 +257,16 @@ impl<'m> Call<'m> {
         }
     }
 
+    /// Looks at a drive that was told and answers at once, as long as that may show its standstill.
+    async fn look(&mut self, session: &mut Session<'_>) {
+        let told = self.first.heard && !self.first.is_late && self.ended.as_ref().is_some_and(Result::is_ok);
+        let Some(family) = self.kind().filter(|family| told && family.motion.stator.is_some()) else { return };
+        let (address, mut looks) = (self.meant.address, std::mem::take(&mut self.first.looks));
+        at_once(session, async |session: &mut Session<'_>| passed_by(session, address, &family, &mut looks).await)
+            .await;
+        self.first.looks = looks;
+    }
+
     fn kind(&self) -> Option<Rc<Family>> {
         match self.families.as_deref() {
             Some([family]) if !self.widened => Some(family.clone()),
@@ -343,8 +363,8 @@ impl<'m> Call<'m> {
             Tell::First | Tell::Again => SHORT.longer(by.since(now)),
         };
         let limits = Limits { reply_timeout: waits, ..session.limits() };
-        let (meant, mut glimpse) = (self.meant, None);
-        let tells = async |session: &mut Session<'_>| glimpsed(session, meant, &family, &mut glimpse).await;
+        let (meant, mut looks) = (self.meant, Vec::new());
+        let tells = async |session: &mut Session<'_>| glimpsed(session, meant, &family, &mut looks).await;
         let said = async |session: &mut Session<'_>| insist(session, meant.address, &word, tells).await;
         let (answer, pressed) = session.within(limits, said).await;
         self.said += 1;
@@ -357,7 +377,7 @@ impl<'m> Call<'m> {
                     }
                     let since = session.now().since(begun);
                     self.first.is_late = self.slow || after > GLANCE || (self.tell == Tell::Alone && since > GLANCE);
-                    (self.first.heard, self.first.glimpse) = (true, glimpse);
+                    (self.first.heard, self.first.looks) = (true, looks);
                     self.ended = Some(Ok(()));
                     if !self.widened {
                         self.families = Some(vec![family.clone()]);

@@ -17,8 +17,10 @@ mod sight;
 pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
 /// The state of a quick stop.
 pub(super) const QUICK_STOP: &str = "quick-stop-active";
-/// States with it. Of a reaction to a fault nobody knows.
-const POWERED: &[&str] = &["operation-enabled", QUICK_STOP];
+/// The state of a drive that works.
+const OPERATION: &str = "operation-enabled";
+/// States with power. Of a reaction to a fault nobody knows.
+const POWERED: &[&str] = &[OPERATION, QUICK_STOP];
 
 /// A shaft that was to stand, and does not become slower.
 pub(super) const STILL_TURNING: &str = "forbidden.still_turning";
@@ -41,6 +43,7 @@ impl Motor<'_, '_> {
     pub(super) fn see(&mut self, slug: &str) {
         let on = has_power(slug);
         self.powered |= on == Some(true);
+        self.works = slug == OPERATION;
         if slug == QUICK_STOP {
             self.sight.brakes();
         }

@@ -114,12 +114,23 @@ impl Motor<'_, '_> {
             }
             tries = tries.saturating_add(1);
         }
+        self.last_word(way, &mut stop).await;
         // Whoever waits no longer is told what the drive says now.
         self.session.note_interrupts();
         if hurry && self.session.is_over() {
             self.ends_within(ENDING_ALONE);
         }
         self.last_look(stop, !hurry && way != StopChoice::Coast).await
+    }
+
+    /// The time of what only takes motion away is over, and the drive works on as if nothing had been said: the strongest word goes
+    /// out all the same.
+    async fn last_word(&mut self, way: StopChoice, stop: &mut Stop) {
+        if self.relieving.is_some() && self.works && way == StopChoice::QuickStop && self.stronger(way).is_some() {
+            self.tell_stronger(way, StopChoice::Coast, false);
+            stop.escalated = Some(StopChoice::Coast.slug());
+            let _told_by_the_last_look = self.write_control(0).await;
+        }
     }
 
     /// What everything else waits for from now on; returns when it began.
@@ -138,7 +149,15 @@ impl Motor<'_, '_> {
             self.bound = None;
             self.session.end_at(None);
         }
+        self.has_time_for_a_word();
         begun
+    }
+
+    /// A word that follows goes out, and is proven for a while, also where the time of what only takes motion away is over.
+    fn has_time_for_a_word(&mut self) {
+        if self.relieving.is_some() && self.session.is_over() {
+            self.ends_within(HURRIED);
+        }
     }
 
     /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.

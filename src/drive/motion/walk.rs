@@ -12,6 +12,9 @@ use crate::profile::{Command, Need, Transition};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
+/// The drive does not go where it is told to.
+pub(super) const NOT_OBEYED: &str = "forbidden.interlock";
+
 impl Motor<'_, '_> {
     /// Walks to a state, step by step, each proven. A fault is never reset on the way.
     pub async fn walk(&mut self, goal: &str) -> Result<(), Failure> {
@@ -183,13 +186,19 @@ impl Motor<'_, '_> {
             state = state.name,
             goal = state_name(&self.target.family, goal)
         );
+        let failure = Failure::new(Class::Forbidden, NOT_OBEYED, text);
+        // A stronger stop does not wait for the reasons.
+        if self.stopping { failure } else { self.with_what_is_missing(failure).await }
+    }
+
+    /// Adds to a failure what keeps the drive from running.
+    pub(super) async fn with_what_is_missing(&mut self, failure: Failure) -> Failure {
         let missing = self.missing_now().await;
-        let failure = Failure::new(Class::Forbidden, "forbidden.interlock", text);
         if missing.is_empty() { failure } else { failure.hint(Text::join(&missing, "; ")) }
     }
 
     /// What keeps the drive from running, as far as it can be asked.
-    pub(super) async fn missing_now(&mut self) -> Vec<Text> {
+    async fn missing_now(&mut self) -> Vec<Text> {
         match self.look().await {
             Ok(situation) => missing(&situation, self.target),
             Err(_) => Vec::new(),

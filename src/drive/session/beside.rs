@@ -3,7 +3,7 @@
 use super::Session;
 use crate::drive::pump::PumpError;
 use crate::drive::turns::seats;
-use crate::exchange::{Answer, ExchangeError};
+use crate::exchange::{Answer, ExchangeError, INSIST};
 use crate::outcome::Event;
 use crate::text::both;
 use crate::tick::Tick;
@@ -56,11 +56,17 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Lets whoever waits talk before another question.
-    pub(super) async fn take_turn(&mut self) {
-        if self.seat.as_ref().is_some_and(|seat| seat.is_over(self.now())) {
-            self.give_way(self.now()).await;
+    /// Lets whoever waits talk before another question; returns when that ends. Who is silent waits on his own time, but what he
+    /// had time for as he began to wait goes out when it is his turn: it may be a stop.
+    pub(super) async fn take_turn(&mut self) -> Option<Tick> {
+        let asks = self.now();
+        if !self.seat.as_ref().is_some_and(|seat| seat.is_over(asks)) {
+            return self.ends_at;
         }
+        let left = self.ends_at.map(|at| at.since(asks));
+        self.give_way(asks).await;
+        let one = self.now() + left.unwrap_or_default().min(self.patient().reply_timeout).longer(INSIST);
+        self.ends_at.map(|at| at.max(one))
     }
 
     /// How often a question is repeated within one turn.

@@ -134,7 +134,7 @@ impl Drive {
     }
 
     /// Shafts that turn at `now`: its own, and those of the drives behind it on the system bus.
-    pub(crate) fn turning(&self, now: Tick) -> u64 {
+    pub fn turning(&self, now: Tick) -> u64 {
         self.device.turning(now)
     }
 

@@ -31,7 +31,8 @@ fn who_says_things_twice_costs_no_other_one_his_proof() {
                     assert!(address == "8" || seen == (Some(true), None), "{address} {told}");
                     assert!(address != "8" || seen.0 != Some(false), "{told}");
                 }
-                assert!(took(&run.err) < 16_000.0, "{told}");
+                // It began after a second, and has what the help promises of one drive.
+                assert!(took(&run.err) < 21_000.0, "{told}");
             }
         }
     }

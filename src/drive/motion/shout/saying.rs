@@ -1,8 +1,11 @@
 //! Saying one thing at once, and asking only what cannot wait.
 
-use super::super::look::raw;
+use super::super::has_power;
+use super::super::look::{raw, role_raw};
+use super::super::passing::Look;
 use super::{BRIEF, GLANCE};
 use crate::drive::access::AccessError;
+use crate::drive::describe;
 use crate::drive::recognise;
 use crate::drive::route::Meant;
 use crate::drive::session::Session;
@@ -49,14 +52,34 @@ pub(super) async fn glimpsed(
     session: &mut Session<'_>,
     meant: &Meant,
     family: &Rc<Family>,
-    glimpse: &mut Option<i64>,
+    looks: &mut Vec<Look>,
 ) -> Result<(), AccessError> {
     let Some(param) = family.role("movement").filter(|_| family.motion.stator.is_some()) else {
         return session.sound(meant.address).await;
     };
     let mut target = Target::new(meant.address, family.clone());
-    *glimpse = in_short(raw(session, &mut target, param, 0).await)?;
+    looks.extend(in_short(raw(session, &mut target, param, 0).await)?.map(Look::Shaft));
     Ok(())
+}
+
+/// Looks at a drive in passing, where others wait to be told: its shaft, and before and behind that whether it has power. What is
+/// not answered at once, or interrupted, is left to later looks.
+pub(super) async fn passed_by(session: &mut Session<'_>, address: u8, family: &Rc<Family>, looks: &mut Vec<Look>) {
+    let has_power = |look: &Look| match look {
+        Look::Status(status) => has_power(&describe::state(family, *status).slug),
+        Look::Shaft(_) => None,
+    };
+    if looks.iter().filter_map(has_power).next_back() == Some(false) {
+        return;
+    }
+    let (mut target, is_first) =
+        (Target::new(address, family.clone()), !looks.iter().any(|look| matches!(look, Look::Status(_))));
+    let roles = [("status-word", is_first), ("movement", true), ("status-word", true)];
+    for (role, _) in roles.into_iter().filter(|(_, is_asked)| *is_asked) {
+        session.end_at(Some(session.now() + GLANCE));
+        let Ok(Some(value)) = role_raw(session, &mut target, role).await else { return };
+        looks.push(if role == "movement" { Look::Shaft(value) } else { Look::Status(value as u32) });
+    }
 }
 
 /// Asks something whose echo is no answer, so that the next answer is known from one. Whether it was answered.

@@ -1,7 +1,9 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
-use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed};
+use super::{
+    BRIEF, PAUSE, SHORT, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed, unless_interrupted,
+};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
 use crate::drive::session::Session;
@@ -127,7 +129,12 @@ async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family
         match (internal, line) {
             (Some(0), _) | (_, Some(0)) => return Ok(true),
             (Some(internal), Some(line)) => return Ok(internal.signum() == line.signum()),
-            _ => session.rest(PAUSE).await?,
+            _ => {
+                let rested = session.rest(PAUSE).await;
+                if unless_interrupted(session, rested)?.is_none() {
+                    break;
+                }
+            }
         }
     }
     Ok(internal.is_none() && line.is_none())
@@ -163,7 +170,8 @@ async fn repeat(
                 return Ok(false);
             }
         }
-        if interrupted {
+        // What met something else on the line is said once more.
+        if interrupted && round > 0 {
             return Err(AccessError::Interrupted);
         }
     }
@@ -181,5 +189,7 @@ async fn told(
     let patient = session.patient();
     session.end_at(Some(by.min(session.now() + patient.reply_timeout)));
     let tell = async |session: &mut Session<'_>| role_raw(session, &mut target, role).await;
-    in_short(session.within(patient, tell).await)
+    let told = in_short(session.within(patient, tell).await);
+    // Whoever interrupts that gets his zero at once.
+    Ok(unless_interrupted(session, told)?.flatten())
 }

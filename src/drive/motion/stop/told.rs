@@ -46,6 +46,7 @@ impl Motor<'_, '_> {
         };
         self.session.tell(Event::Note(text.clone()));
         self.notes.push(text);
+        self.has_time_for_a_word();
     }
 }
 
