@@ -80,7 +80,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let addresses = addresses_to_write(context.settings)?;
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
-    let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family))?;
+    let (family, planned) =
+        offline(context.settings, context.registry, |family| steps(args, family, terms.own_address()))?;
     super::on_bus::check(context.settings, &planned)?;
     for note in [better_by_line(&planned, &family), is_a_stop(&planned, &family)].into_iter().flatten() {
         (context.observe)(Event::Note(note));
@@ -96,7 +97,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             0 => Target::new(0, family.clone()).in_word_order(settings.word_order),
             _ => target_to_change(&mut session, settings, registry, address).await?,
         };
-        let steps = steps(args, &target.family)?;
+        let steps = steps(args, &target.family, terms.own_address())?;
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
@@ -135,7 +136,7 @@ pub(super) async fn permit(
     ask: &mut dyn Ask,
     jobs: &mut [Job],
 ) -> Result<Option<Permit<Writing>>, Failure> {
-    let Some(question) = job::question(jobs) else { return Ok(None) };
+    let Some(question) = job::question(jobs, session.own_address()) else { return Ok(None) };
     let permit = asking::on_line(session, ask, &question).await?;
     if ask.takes_time() {
         job::look_again(session, jobs).await;
@@ -212,12 +213,12 @@ fn selectors(args: &Args) -> Result<Vec<Selector>, Failure> {
 }
 
 /// Reads the assignments; nothing is sent until all of them make sense.
-fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
+fn steps(args: &Args, family: &Family, own: Option<Role>) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     for (who, what) in assignments(args)? {
         steps.extend(assigned(args, family, who, what)?);
     }
-    cutting_last(steps)
+    cutting_last(steps, family, own)
 }
 
 /// One of them: a step for each parameter and data set that it names.
@@ -246,9 +247,10 @@ fn assigned(args: &Args, family: &Family, who: &str, what: &str) -> Result<Vec<S
 }
 
 /// Behind what cuts the line at once nobody is reached, so it goes last; and there is only one last.
-fn cutting_last(mut steps: Vec<Step>) -> Result<Vec<Step>, Failure> {
-    steps.sort_by_key(|step| job::cuts(&step.param));
-    let mut cutting = steps.iter().rev().take_while(|step| job::cuts(&step.param)).map(|step| step.param.label());
+fn cutting_last(mut steps: Vec<Step>, family: &Family, own: Option<Role>) -> Result<Vec<Step>, Failure> {
+    let cuts = |step: &Step| job::cuts(&step.param, family, own);
+    steps.sort_by_key(cuts);
+    let mut cutting = steps.iter().rev().take_while(|step| cuts(step)).map(|step| step.param.label());
     let (Some(last), Some(other)) = (cutting.next(), cutting.next()) else { return Ok(steps) };
     let message = both!(
         "{other} and {last} both cut the line or restart the drive at once; write them one by one",

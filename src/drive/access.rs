@@ -60,6 +60,11 @@ impl AccessError {
         matches!(self, AccessError::Refused(Refusal { no, unheard: false, .. }) if no.is_of_what_was_asked())
     }
 
+    /// Whether it may be otherwise a moment later: the drive is busy.
+    pub fn passes(&self) -> bool {
+        matches!(self, AccessError::Refused(Refusal { no, .. }) if no.passes())
+    }
+
     /// Whether the drive said no.
     pub fn is_refused(&self) -> bool {
         matches!(self, AccessError::Refused(_))

@@ -1,11 +1,14 @@
 //! Asking for an answer that is no refusal; after one, for its cause. What tells the cause is cleared by reading.
 
 use super::access::{AccessError, Refusal};
-use super::route::{Route, no};
+use super::route::{No, Route, no};
 use super::session::Session;
 use crate::exchange::{Answer, Limits, Question, Said};
 use crate::profile::{Cause, Family};
 use crate::tick::Span;
+
+/// How long a drive that is busy is left alone before it is asked once more: no source says. A choice.
+const BUSY: Span = Span::from_millis(100);
 
 impl Session<'_> {
     /// Asks a drive for an answer that is no refusal; after one asks for the cause at once, because anything else could
@@ -80,6 +83,33 @@ impl Session<'_> {
             Err(AccessError::Exchange(_)) => Ok((None, true)),
             Err(error) => Err(error),
         }
+    }
+
+    /// Leaves a drive that is busy alone for a moment, and tells whether it is to be asked once more: that says nothing of what it was
+    /// asked (V1.1b3 7). Not for ever, and not where every telegram goes out by the clock.
+    pub(super) async fn bears(&mut self, error: &AccessError, asked: u8) -> Result<bool, AccessError> {
+        self.waits(error.passes(), asked).await
+    }
+
+    /// Asks a station that may be busy, like [`Session::ask`].
+    pub(super) async fn ask_patiently(&mut self, station: u8, question: &Question) -> Result<Answer, AccessError> {
+        let mut asked = 0;
+        loop {
+            asked += 1;
+            let answer = self.ask(station, question.clone()).await?;
+            let is_busy = matches!(&answer, Answer::Reply { said, .. } if no(said).is_some_and(No::passes));
+            if !self.waits(is_busy, asked).await? {
+                return Ok(answer);
+            }
+        }
+    }
+
+    async fn waits(&mut self, is_busy: bool, asked: u8) -> Result<bool, AccessError> {
+        let is_borne = is_busy && asked <= self.limits().retries && !self.is_insisting() && !self.is_over();
+        if is_borne {
+            self.rest(BUSY).await?;
+        }
+        Ok(is_borne)
     }
 
     /// Asks for a 16-bit number; `None` if the station answers with something else.

@@ -13,7 +13,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{LoadEnd, WriteResult};
 use crate::profile::Family;
-use crate::profile::paramfile::Head;
+use crate::profile::paramfile::{At, Head};
 use crate::text::{Lang, Text, both};
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -28,6 +28,8 @@ pub struct Member<'a> {
     pub address: u8,
     /// The family that it shall be of.
     pub family: Rc<Family>,
+    /// Where its parameter file states that.
+    pub family_at: At,
     /// What it shall call itself, if somebody said.
     pub product: Option<String>,
     /// What is known of it without asking.
@@ -227,8 +229,9 @@ impl Member<'_> {
         let of = &self.family;
         if of.drive != *found {
             let message = both!(
-                "expected a drive of the family {of}, address {address} is of the family {found}",
-                "erwartet wird ein Antrieb der Familie {of}, Adresse {address} ist von der Familie {found}",
+                "{at}: expected a drive of the family {of}, address {address} is of the family {found}",
+                "{at}: erwartet wird ein Antrieb der Familie {of}, Adresse {address} ist von der Familie {found}",
+                at = self.family_at,
                 of = of.drive
             );
             return Err(failure("data.other_family", message));

@@ -72,7 +72,7 @@ pub async fn recognise(
         inquest.introduction().await?;
     }
     if inquest.finding.drive.is_none() {
-        let answer = inquest.session.ask(address, question.clone()).await?;
+        let answer = inquest.session.ask_patiently(address, &question).await?;
         inquest.goes_on(&answer, keep_register).await?;
     }
     if inquest.finding.drive.is_none() && inquest.fell_silent {

@@ -3,7 +3,8 @@
 use super::{Finding, Session, Target, decode, introduce, recognise};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Evidence, Warning};
-use crate::profile::{Family, Registry};
+use crate::profile::{Family, Registry, Role};
+use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::text::{Text, both};
@@ -24,6 +25,23 @@ pub struct Terms<'a> {
     pub line: LineSetting,
     /// What is spoken.
     pub speech: decode::Reader<'static>,
+}
+
+/// The role of the address under which a drive is reached with a protocol; a node has another place on its bus than on its serial
+/// line.
+fn own_address(protocol: Protocol) -> Option<Role> {
+    match protocol {
+        Protocol::Modbus(_) => Some(Role::Address),
+        Protocol::Vabus => Some(Role::NodeId),
+        Protocol::Sdo(_) => None,
+    }
+}
+
+impl Session<'_> {
+    /// The role of the address under which the drives of this line are reached.
+    pub fn own_address(&self) -> Option<Role> {
+        own_address(self.protocol())
+    }
 }
 
 /// A family that a file states.
@@ -49,6 +67,11 @@ pub struct Recognised {
 }
 
 impl Terms<'_> {
+    /// The role of the address under which the drives are reached.
+    pub fn own_address(&self) -> Option<Role> {
+        own_address(self.speech.protocol)
+    }
+
     /// Takes telegrams of this family apart.
     pub fn telegrams<'f>(&self, family: &'f Family) -> decode::Reader<'f> {
         decode::Reader { family: Some(family), ..self.speech }

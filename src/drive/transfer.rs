@@ -179,7 +179,13 @@ impl Target {
         let mut asked = 0;
         loop {
             asked += 1;
-            let answer = match session.demand(route, &self.family, question.clone()).await {
+            let answer = session.demand(route, &self.family, question.clone()).await;
+            if let Err(error) = &answer
+                && session.bears(error, asked).await?
+            {
+                continue;
+            }
+            let answer = match answer {
                 // Refused again, it tells again why.
                 Err(AccessError::Refused(Refusal { unheard: true, .. })) if asked <= session.limits().retries => {
                     continue;

@@ -91,6 +91,11 @@ impl Target {
                     continue;
                 }
                 Err(AccessError::Exchange(error)) => Some(AccessError::Exchange(error)),
+                // Nor does anybody know of a busy drive whether it has done it: Acknowledge says that it will (V1.1b3 7).
+                Err(error) if read_back && error.passes() && !session.is_insisting() => {
+                    session.bears(&error, tries).await?;
+                    Some(error)
+                }
                 Err(error) => return Err(error),
             };
             if !read_back {

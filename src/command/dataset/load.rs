@@ -13,7 +13,7 @@ use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
 use crate::outcome::{Load, LoadEnd, Outcome, Warning, WriteResult};
-use crate::profile::paramfile::{Head, ParamFile, SavedDrive};
+use crate::profile::paramfile::{At, Head, ParamFile, SavedDrive};
 use crate::profile::{Family, Registry};
 use crate::text::both;
 use clap::Args as ClapArgs;
@@ -84,7 +84,7 @@ async fn load_into(
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
-    let drive = same_family(&mut session, &terms, address, (&family, &file.path, settings.force)).await?;
+    let drive = same_family(&mut session, &terms, address, (&family, &file.family_at, settings.force)).await?;
     let head = Head { lang: settings.lang, ..head(&session, &drive) };
     let mut plan = transaction::plan(&mut session, drive.target, &terms, steps).await?;
     plan.notes.extend(warnings.iter().map(|warning| warning.message.clone()));
@@ -142,13 +142,13 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let mut report = blank(address, &family.drive, vec![args.file.display().to_string()], Vec::new());
     if context.settings.dry_run {
         // What stood in the drive is not judged.
-        return dry_run(context, report, &family, &steps, |_, _| Ok(()));
+        return dry_run(context, report, &family, &steps, |_, _, _| Ok(()));
     }
     let from = if context.settings.force { BTreeMap::new() } else { from };
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
-    let drive = same_family(&mut session, &terms, address, (&family, &file.path, settings.force)).await?;
+    let drive = same_family(&mut session, &terms, address, (&family, &file.family_at, settings.force)).await?;
     same_product(&file, drive.product.as_deref(), settings.force)?;
     let mut plan = transaction::plan_back(&mut session, drive.target, &terms, steps, from).await?;
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
@@ -191,7 +191,9 @@ async fn permit(
     plan: &Plan,
     act: Act<'_>,
 ) -> Result<Option<Permit<Writing>>, Failure> {
-    let Some(Question { hazards, title, mut details }) = job::question(std::slice::from_ref(&plan.job)) else {
+    let Some(Question { hazards, title, mut details }) =
+        job::question(std::slice::from_ref(&plan.job), session.own_address())
+    else {
         return Ok(None);
     };
     let title = match act {
@@ -273,7 +275,7 @@ async fn same_family(
     session: &mut Session<'_>,
     terms: &Terms<'_>,
     address: u8,
-    (family, path, force): (&Rc<Family>, &str, bool),
+    (family, at, force): (&Rc<Family>, &At, bool),
 ) -> Result<Recognised, Failure> {
     let mut drive = match force {
         true => terms.recognised(session, address, false).await?,
@@ -285,8 +287,8 @@ async fn same_family(
         return Ok(drive);
     }
     let message = both!(
-        "drive {address} is of the family '{found}', {path} is for '{of}'; nothing was changed",
-        "Antrieb {address} ist von der Familie '{found}', {path} ist für '{of}'; geändert wurde nichts",
+        "{at}: the file is for drives of the family {of}, drive {address} is of the family {found}; nothing was changed",
+        "{at}: die Datei ist für Antriebe der Familie {of}, Antrieb {address} ist von der Familie {found}; geändert wurde nichts",
         of = family.drive
     );
     Err(Failure::new(Class::Data, "data.other_family", message).of_family(found).hint(both!(

@@ -187,7 +187,7 @@ pub(super) fn dry_run(
     mut report: Load,
     family: &Rc<Family>,
     steps: &[Step],
-    fits: impl Fn(&Step, Option<Type>) -> Result<(), Failure>,
+    fits: impl Fn(&Step, Option<Type>, (&Family, Option<Role>)) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
     let failures = describe_steps(&terms(context.settings, context.registry)?, &mut report, family, steps, fits);
     let failure = would_be_in_the_way(failures);
@@ -200,7 +200,7 @@ pub(in crate::command) fn describe_steps(
     report: &mut Load,
     family: &Rc<Family>,
     steps: &[Step],
-    fits: impl Fn(&Step, Option<Type>) -> Result<(), Failure>,
+    fits: impl Fn(&Step, Option<Type>, (&Family, Option<Role>)) -> Result<(), Failure>,
 ) -> Vec<Failure> {
     let mut failures = Vec::new();
     for step in steps {
@@ -208,7 +208,7 @@ pub(in crate::command) fn describe_steps(
         row.node = terms.speech.node;
         job::tell(&mut row, step.kind.and_then(|kind| job::telegram(terms, family, report.address, step, kind)));
         row.note = step.kind.is_none().then(of_width_asked);
-        if let Err(failure) = fits(step, step.kind) {
+        if let Err(failure) = fits(step, step.kind, (family, terms.own_address())) {
             row.result = WriteResult::Refused;
             row.error = Some(ErrorDoc::from(&failure));
             failures.push(failure);

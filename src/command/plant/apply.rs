@@ -134,7 +134,9 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
             ));
         }
         let Some(plan) = member.found.as_ref().filter(|_| member.is_due()).map(|found| &found.plan) else { continue };
-        let Some(mut asked) = job::question(std::slice::from_ref(&plan.job)) else { continue };
+        let Some(mut asked) = job::question(std::slice::from_ref(&plan.job), member.terms.own_address()) else {
+            continue;
+        };
         // Behind the values comes what can happen: told once for all drives.
         let consequences = asked.details.split_off(job::lines(&plan.job).min(asked.details.len()));
         let consequences = consequences.into_iter().chain(plan.hidden.clone()).chain(plan.open_memory());

@@ -63,23 +63,49 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     let is_whole = failure.as_ref().is_none_or(|failure| failure.class != Class::Interrupted);
     let (drives, unknown) = named(found);
     let mut init = Init { project: None, drives, unknown };
-    if is_whole && !init.drives.is_empty() {
-        let text = text(&init, settings.lang);
-        files::write_whole(&path, &text, overwrite).map_err(|error| unwritten(&path, &error))?;
-        init.project = Some(path.display().to_string());
-    }
-    let failure = failure.map(|failure| if is_whole { failure } else { cut_short(failure) });
+    let text = text(&init, settings.lang);
+    let failure = match failure {
+        Some(failure) if !is_whole => Some(cut_short(failure, keep(&path, &init, &text))),
+        failure => {
+            if !init.drives.is_empty() {
+                files::write_whole(&path, &text, overwrite).map_err(|error| unwritten(&path, &error))?;
+                init.project = Some(path.display().to_string());
+            }
+            failure
+        }
+    };
     Ok(Outcome { data: Some(Data::Init(init)), warnings, failure })
 }
 
-/// Not all was searched: a project file would leave out drives that are there.
-fn cut_short(failure: Failure) -> Failure {
-    failure.hint(both!(
-        "no file was written, because not everything was searched; with --within 2min the search ends by itself and the file holds \
-         what was found by then",
-        "es wurde keine Datei geschrieben, weil nicht alles durchsucht ist; mit --within 2min endet die Suche von selbst, und die \
-         Datei enthält, was bis dahin gefunden war"
-    ))
+/// Leaves beside the project file what a search that was interrupted had found; where, if there was anything and the disk took it.
+fn keep(path: &Path, init: &Init, text: &str) -> Option<String> {
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    let part = PathBuf::from(part);
+    let is_kept = !init.drives.is_empty() && files::write_whole(&part, text, true).is_ok();
+    is_kept.then(|| part.display().to_string())
+}
+
+/// Not all was searched: as the project file it would leave out drives that are there.
+fn cut_short(failure: Failure, part: Option<String>) -> Failure {
+    let by_itself = both!(
+        "with --within 2min the search ends by itself and the file holds what was found by then",
+        "mit --within 2min endet die Suche von selbst, und die Datei enthält, was bis dahin gefunden war"
+    );
+    failure.hint(match part {
+        Some(part) => both!(
+            "what was found so far stands in {part}, ready to be renamed; not everything was searched, so drives may be missing. \
+             {by_itself}",
+            "was bis dahin gefunden war, steht in {part} und braucht nur einen anderen Namen; nicht alles ist durchsucht, Antriebe \
+             können fehlen. {by_itself}",
+            by_itself
+        ),
+        None => both!(
+            "no file was written, because not everything was searched; {by_itself}",
+            "es wurde keine Datei geschrieben, weil nicht alles durchsucht ist; {by_itself}",
+            by_itself
+        ),
+    })
 }
 
 /// The settings of the search. --force replaces the file; beside another master nobody asks because of it.

@@ -51,6 +51,7 @@ impl Wanted {
             name: self.place.name.clone(),
             address: self.place.address,
             family: self.opened.family.clone(),
+            family_at: self.opened.file.family_at.clone(),
             product: self.place.product.clone(),
             terms,
             steps: self.steps.clone(),
@@ -161,13 +162,13 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
 fn is_of_files(settings: &Settings, opened: &Opened, registry: &Registry) -> Result<(), Failure> {
     let Some(name) = settings.drive.as_deref().filter(|_| settings.named_drive().is_none()) else { return Ok(()) };
     let stated = named_family(settings, registry, name)?;
-    let (own, path) = (&opened.family.drive, &opened.file.path);
+    let (own, at) = (&opened.family.drive, &opened.file.family_at);
     if stated.drive == *own {
         return Ok(());
     }
     let why = both!(
-        "'{name}' is stated, and {path} is for the family '{own}'",
-        "angegeben ist '{name}', und {path} ist für die Familie '{own}'"
+        "'{name}' is stated, and {at} is for the family '{own}'",
+        "angegeben ist '{name}', und {at} ist für die Familie '{own}'"
     );
     let hint = both!(
         "one of both is wrong: state '{own}', or take a file that was saved from such a drive",

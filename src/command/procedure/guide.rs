@@ -253,7 +253,7 @@ impl Guide<'_> {
         let terms = terms(self.settings, self.registry)?;
         let rows = job::prepare(&mut self.session, &mut target, &terms, &steps, anyway).await?;
         let mut jobs = vec![Job { target, steps, rows }];
-        if let Some(asked) = job::question(&jobs) {
+        if let Some(asked) = job::question(&jobs, self.session.own_address()) {
             let question = Question { hazards: asked.hazards, ..turn.question(asked.details) };
             self.session.end_at(None);
             let permit: Permit<Writing> = asking::on_line(&mut self.session, self.ask, &question).await?;

@@ -81,7 +81,7 @@ fn steps(wanted: &Wanted<'_>, family: &Rc<Family>, address: u8) -> Result<(Vec<S
 
 /// Asks, with the slave kept going, and writes one value after another; the first that fails leaves out the rest.
 async fn carry_out(exchange: &mut Exchange<'_, '_>, job: &mut Job, ask: &mut dyn gate::Ask) -> Result<(), Failure> {
-    let Some(question) = job::question(std::slice::from_ref(job)) else { return Ok(()) };
+    let Some(question) = job::question(std::slice::from_ref(job), None) else { return Ok(()) };
     let permit = exchange.during(gate::ask(ask, &question)).await?.map_err(asking::denied)?;
     for (step, row) in job.steps.iter().zip(&mut job.rows) {
         if row.result == WriteResult::Planned {

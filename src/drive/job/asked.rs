@@ -6,7 +6,7 @@ use crate::gate::{Hazard, Question};
 use crate::outcome::{Decimal, WriteResult, Written};
 use crate::profile::paramfile::ranges;
 use crate::profile::value::{format_decimal, written};
-use crate::profile::{Family, HazardKind, Store};
+use crate::profile::{Family, HazardKind, Role, Store};
 use crate::text::{Text, both};
 
 /// Reads behind the answer what stands there now: a row tells what it replaces, and that it is not what was shown.
@@ -32,8 +32,8 @@ pub async fn look_again(session: &mut Session<'_>, jobs: &mut [Job]) {
     }
 }
 
-/// What is to be asked before everything that is left to do; `None` if that is nothing.
-pub fn question(jobs: &[Job]) -> Option<Question> {
+/// What is to be asked before everything that is left to do, where the drives are reached under the address of this role; `None` if that is nothing.
+pub fn question(jobs: &[Job], own: Option<Role>) -> Option<Question> {
     let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows).map(move |pair| (job, pair)));
     let todo: Vec<_> = todo.filter(|(_, (_, row))| row.result == WriteResult::Planned).collect();
     if todo.is_empty() {
@@ -51,7 +51,7 @@ pub fn question(jobs: &[Job]) -> Option<Question> {
     }
     hazards.sort_unstable();
     hazards.dedup();
-    if todo.len() > 1 && todo.iter().any(|(_, (step, _))| cuts(&step.param)) {
+    if todo.len() > 1 && todo.iter().any(|(job, (step, _))| cuts(&step.param, &job.target.family, own)) {
         let last = both!("what cuts the line at once goes last", "was die Leitung sofort kappt, geht zuletzt hinaus");
         details.push(last);
     }

@@ -200,7 +200,8 @@ pub(in crate::drive) async fn carry_step(
     let fate = match begin(session, target, step).await {
         Ok(kind) => {
             tell(row, telegram(terms, &target.family, address, step, kind));
-            let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
+            let read_back = reads_back(&step.param, &target.family, session.own_address());
+            let order = Order { set: step.set, raw: step.raw, kind, read_back };
             let fate = target.write(session, &step.param, order, permit).await;
             let fate = proven_there(session, target, step, fate).await;
             fate.map_err(|error| (error, WriteResult::Unknown))
@@ -251,15 +252,10 @@ async fn proven_there(
     step: &Step,
     fate: Result<WriteFate, AccessError>,
 ) -> Result<WriteFate, AccessError> {
-    let role = match session.protocol().name() {
-        "vabus" => "node-id",
-        // A node has another place on its bus than on its serial line.
-        "sdo" | "sdo1" => return fate,
-        _ => "address",
-    };
     let family = &target.family;
-    let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param);
-    let moves = at_once && family.role(role).is_some_and(|param| param.id == step.param.id);
+    let Some(role) = session.own_address() else { return fate };
+    let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param, family, Some(role));
+    let moves = at_once && is_in(role, &step.param, family);
     let (Ok(new), true) = (u8::try_from(step.raw), moves && target.address != 0) else { return fate };
     if !matches!(fate, Ok(WriteFate::Written | WriteFate::Unknown(_))) {
         return fate;
@@ -281,17 +277,27 @@ async fn begin(session: &mut Session<'_>, target: &mut Target, step: &Step) -> R
 }
 
 /// Whether reading back proves anything: not where the line or the drive is gone at once.
-fn reads_back(param: &Param) -> bool {
-    param.access.reads() && !cuts(param)
+fn reads_back(param: &Param, family: &Family, own: Option<Role>) -> bool {
+    param.access.reads() && !cuts(param, family, own)
 }
 
-/// Whether the line or the drive is gone at once behind a write.
-pub fn cuts(param: &Param) -> bool {
+/// Whether the line or the drive is gone at once behind a write, where the drive is reached under the address of this role.
+pub fn cuts(param: &Param, family: &Family, own: Option<Role>) -> bool {
     match param.hazard {
-        Some(HazardKind::Line) => param.effective == Effective::AtOnce,
+        Some(HazardKind::Line) => param.effective == Effective::AtOnce && !is_elsewhere(param, family, own),
         Some(HazardKind::Reset) => true,
         Some(HazardKind::Motion) | None => false,
     }
+}
+
+/// Whether it is the address of another protocol than the one that is spoken, which has its own: P.394 is that of VABus, P.1376 that of Modbus (CM-485
+/// manual 11.2).
+fn is_elsewhere(param: &Param, family: &Family, own: Option<Role>) -> bool {
+    [Role::Address, Role::NodeId].into_iter().any(|role| own != Some(role) && is_in(role, param, family))
+}
+
+fn is_in(role: Role, param: &Param, family: &Family) -> bool {
+    family.role(role).is_some_and(|own| own.id == param.id)
 }
 
 fn result(fate: &WriteFate) -> WriteResult {
@@ -358,10 +364,10 @@ pub fn done(jobs: Vec<Job>, failures: Vec<Failure>, terms: &Terms<'_>) -> Outcom
 /// How to get back to a drive whose line settings were changed.
 fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> Option<Warning> {
     let sent = matches!(row.result, WriteResult::Verified | WriteResult::Written | WriteResult::Unknown);
-    if !sent || step.param.hazard != Some(HazardKind::Line) {
+    if !sent || step.param.hazard != Some(HazardKind::Line) || is_elsewhere(&step.param, family, terms.own_address()) {
         return None;
     }
-    let is_address = family.role(Role::Address).is_some_and(|param| param.id == step.param.id);
+    let is_address = is_in(Role::Address, &step.param, family);
     let when = match (step.param.effective, is_address, family.link.line.address) {
         (Effective::Reset, ..) => both!("after the next reset", "nach dem nächsten Reset"),
         (_, true, Holds::Unsaid) => both!(

@@ -164,6 +164,10 @@ impl Work<'_, '_> {
                 break;
             }
         }
+        // Where the answer that told why was lost, the four were asked although they are equal.
+        if let [DataSets::Unnamed] = one.sets.as_slice() {
+            rows = all_at_once(rows);
+        }
         self.take(&one.param, rows);
     }
 
@@ -247,6 +251,19 @@ impl Work<'_, '_> {
     fn drop(&mut self, param: &Param) {
         self.so_far.settings.retain(|one| one.param.id != param.id);
         self.so_far.types.remove(&param.id);
+    }
+}
+
+/// Four data sets that hold the same, as the one value that data set 0 is.
+fn all_at_once(rows: Vec<(u8, Result<Reading, AccessError>)>) -> Vec<(u8, Result<Reading, AccessError>)> {
+    let [(1, Ok(first)), others @ ..] = rows.as_slice() else { return rows };
+    let is_same = |(_, other): &(u8, Result<Reading, AccessError>)| {
+        other.as_ref().is_ok_and(|other| Reading { set: first.set, ..other.clone() } == *first)
+    };
+    if others.len() == 3 && others.iter().all(is_same) {
+        vec![(0, Ok(Reading { set: 0, ..first.clone() }))]
+    } else {
+        rows
     }
 }
 

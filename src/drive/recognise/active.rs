@@ -74,7 +74,15 @@ impl Inquest<'_, '_> {
             Protocol::Sdo(_) => Text::name("SDO P.484"),
         };
         let Some(question) = self.route.question(Inquiry::Read(SETPOINT_RAM, Type::Long)) else { return Ok(()) };
-        match self.session.demand(self.route, family, question).await {
+        let mut asked_so_often = 1;
+        let mut answer = self.session.demand(self.route, family, question.clone()).await;
+        while let Err(error) = &answer
+            && self.session.bears(error, asked_so_often).await?
+        {
+            asked_so_often += 1;
+            answer = self.session.demand(self.route, family, question.clone()).await;
+        }
+        match answer {
             Ok(_) => {
                 let tells = both!("the line setpoint is readable: ACT", "der Liniensollwert ist lesbar: ACT");
                 self.finding.note(asked, both!("a value", "ein Wert"), tells);

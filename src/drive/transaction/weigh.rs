@@ -5,7 +5,7 @@ use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, ErrorDoc, WriteResult, Written};
 use crate::profile::paramfile::value_text;
-use crate::profile::{DataSets, FileRules, Param, Role, Type, value};
+use crate::profile::{DataSets, Family, FileRules, Param, Role, Type, value};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
@@ -66,11 +66,12 @@ pub(super) fn weigh(
         }
         (Ok(_), Purpose::Forward) => {
             let known = kind.ok_or_else(|| job::no_width(&step.param));
-            known.and_then(|kind| fits(step, Some(kind)))
+            known.and_then(|kind| fits(step, Some(kind), (&target.family, session.own_address())))
         }
         (Ok(old), Purpose::Back(from)) => {
             let came = purpose.came(step);
-            keeps_line(&step.param).and_then(|()| stands_as_left(step, &target.family.files, (old, came), from))
+            let on_line = keeps_line(&step.param, (&target.family, session.own_address()));
+            on_line.and_then(|()| stands_as_left(step, &target.family.files, (old, came), from))
         }
         (Err(failure), Purpose::Forward) => Err(no_way_back(&step.param, failure)),
         (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
@@ -85,16 +86,16 @@ pub(super) fn weigh(
     (row, failure)
 }
 
-/// What forbids a value that is to be written, as far as that can be told without asking: the line, the range, the type if it is
-/// known.
+/// What forbids a value that is to be written to a drive of this family, reached under the address of this role, as far as that can be told without asking:
+/// the line, the range, the type if it is known.
 ///
 /// # Errors
 /// What forbids it.
-pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
+pub fn fits(step: &Step, kind: Option<Type>, reached: (&Family, Option<Role>)) -> Result<(), Failure> {
     let Step { param, raw, at, .. } = step;
     let label = param.label();
     let at = at.as_ref().map_or_else(String::new, |at| format!("{at}: "));
-    keeps_line(param)?;
+    keeps_line(param, reached)?;
     let wrong = |code: &str, error: value::ValueError| {
         let message = both!(
             "{at}{label} ({called}): {why}",
@@ -114,8 +115,8 @@ pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
 }
 
 /// Refuses what cuts the line: nobody could take it back over that line, nor prove that it came back.
-fn keeps_line(param: &Param) -> Result<(), Failure> {
-    if !job::cuts(param) {
+fn keeps_line(param: &Param, (family, own): (&Family, Option<Role>)) -> Result<(), Failure> {
+    if !job::cuts(param, family, own) {
         return Ok(());
     }
     let label = param.label();

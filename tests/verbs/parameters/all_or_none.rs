@@ -1,9 +1,33 @@
 //! `apply --atomic`: what is begun, what goes back, and what somebody else changes meanwhile.
 
 use super::plant::{ONE, TWO, plant, states};
+use crate::run::antrieb;
 use antrieb::transport::witness;
 
 /// A drive starts to run, behind every telegram to it: who reads that nothing was written may believe it.
+/// Busy is no refusal (V1.1b3 7): it is asked once more, and a write is read back first. Acknowledge has even begun it.
+#[test]
+fn a_drive_that_is_busy_for_a_moment_does_not_end_a_load() {
+    let text = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"480@2\" = 8\n372 = 1440\n";
+    let load = |protocol: &str, disturb: &str| {
+        let bench = format!("[[drive]]\nmodel = \"act\"\naddress = 1\nprotocol = \"{protocol}\"\n{disturb}");
+        let line = format!("--protocol {protocol} -a 1 dataset load {{dir}}/f.toml --yes");
+        let run = antrieb(&line).on(&bench).file("f.toml", text);
+        let ended = run.run();
+        let worn = witness::all_left().iter().map(|(bench, _)| bench.totals().eeprom_writes).sum::<u64>();
+        (ended, worn)
+    };
+    for protocol in ["rtu", "ascii"] {
+        let (calm, worn) = load(protocol, "");
+        assert_eq!((calm.exit, worn), (0, 5), "{}", calm.err);
+        for (at, code) in (1..70).zip([6, 6, 5].into_iter().cycle()) {
+            let disturb = format!("[[disturb]]\nonce = {at}\nkind = \"exception\"\nbyte = {code}\n");
+            let (ended, worn) = load(protocol, &disturb);
+            assert_eq!((ended.exit, worn), (0, 5), "{protocol}, exception {code} at reply {at}: {}", ended.err);
+        }
+    }
+}
+
 #[test]
 fn all_or_none_looks_at_every_drive_before_it_begins_with_one() {
     let mut seen = std::collections::BTreeSet::new();

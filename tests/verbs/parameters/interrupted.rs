@@ -1,7 +1,9 @@
-//! What `dataset` leaves behind where it is brought to its end on the way: nothing that it calls whole, restored or as before, and is not.
+//! What `dataset`, or `init`, leaves behind where it is brought to its end on the way: nothing that it calls whole, restored or as before, and is not.
 
-use super::ends::{Case, End, Seen};
-use antrieb::outcome::{LoadEnd, WriteResult};
+use super::ends::{Case, End, Ended, Seen, brought_to_end};
+use super::plant::TWO;
+use antrieb::failure::Class;
+use antrieb::outcome::{Data, Init, LoadEnd, WriteResult};
 use antrieb::profile::Registry;
 use antrieb::tick::{Span, Tick};
 
@@ -97,4 +99,33 @@ fn a_way_back_over_a_line_that_falls_silent_ends_soon_and_calls_restored_only_wh
         ends.insert(format!("{:?} {exit:?}", load.ended));
     }
     assert!(ends.contains("Some(Torn) Some(9)") && ends.contains("Some(Back) Some(9)"), "{ends:?}");
+}
+
+/// Ctrl-C at every telegram of the search: what it had found is not lost, and no project file lacks drives without a word.
+#[test]
+fn what_an_interrupted_search_had_found_is_kept_beside_the_project_file() {
+    let registry = Registry::open(&[]).unwrap();
+    let (mut kept, mut empty) = (0, 0);
+    for step in (2..200).step_by(9) {
+        let dir = tempfile::tempdir().unwrap();
+        std::fs::write(dir.path().join("bench.toml"), TWO).unwrap();
+        let line = "-p sim:{dir}/bench.toml -a 1-9 init {dir}/antrieb.toml";
+        let Ended { outcome, .. } = brought_to_end(dir.path(), line, &registry, End::Wish, step);
+        let Some(failure) = outcome.failure.filter(|failure| failure.class == Class::Interrupted) else { break };
+        assert!(!dir.path().join("antrieb.toml").exists(), "{step}");
+        let (part, hint) = (dir.path().join("antrieb.toml.part"), failure.hint.unwrap().en.to_string());
+        let Some(Data::Init(Init { project: None, drives, .. })) = outcome.data else { panic!("{step}") };
+        assert_eq!(part.exists(), !drives.is_empty(), "{step}");
+        assert_eq!(hint.contains("antrieb.toml.part"), part.exists(), "{step}: {hint}");
+        assert_eq!(hint.contains("no file was written"), !part.exists(), "{step}: {hint}");
+        if part.exists() {
+            let text = std::fs::read_to_string(&part).unwrap();
+            let named = drives.iter().all(|drive| text.contains(&format!("[drives.{}]", drive.called)));
+            assert!(named, "{step}: {text}");
+            kept += 1;
+        } else {
+            empty += 1;
+        }
+    }
+    assert!(kept > 0 && empty > 0, "{kept} {empty}");
 }

@@ -266,6 +266,27 @@ fn an_undo_says_which_ram_it_replaces() {
     assert!(document.err.contains("both are replaced"), "{}", document.err);
 }
 
+/// P.1376 is the address of Modbus, P.394 that of VABus (CM-485 manual 11.2): the one that is not spoken can be proven and taken back.
+#[test]
+fn which_address_cuts_the_line_depends_on_what_is_spoken() {
+    for (protocol, cuts, other) in [("rtu", 1376, 394), ("vabus", 394, 1376)] {
+        let bench = format!("[[drive]]\nmodel = \"act\"\nprotocol = \"{protocol}\"\n");
+        let load = |number: u32, more: &str| {
+            let text = format!("antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n{number} = 7\n");
+            let line = format!("--protocol {protocol} -a 1 dataset load {{dir}}/f.toml --only bus --yes {more}");
+            antrieb(&line).on(&bench).file("f.toml", &text)
+        };
+        assert!(load(cuts, "").exits(8).err.contains("can cut the line at once"), "{protocol}");
+        load(cuts, "--dry-run").exits(8);
+        load(other, "--dry-run").exits(0);
+        load(other, "").exits(0);
+        let write = |number: u32| antrieb(&format!("--protocol {protocol} -a 1 write {number} 7 --yes")).on(&bench);
+        let told = write(other).json().exits(0);
+        assert_eq!((told.data("/values/0/result"), told.warnings().len()), (&"verified".into(), 0), "{protocol}");
+        assert_eq!(write(cuts).json().warnings(), ["line.changed"], "{protocol}");
+    }
+}
+
 #[test]
 fn an_undo_file_of_a_hand_cuts_no_line_and_says_from_where_it_leads_back() {
     let cut = undo(FRESH, "1376 = 9\n\"480@2\" = 6", "1376 = 1, \"480@2\" = 5").json().exits(9);
