@@ -581,7 +581,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__completions)
-            opts="-h --catalogue --help bash elvish fish powershell zsh"
+            opts="-h --catalogue --help bash zsh fish powershell"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

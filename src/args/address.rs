@@ -2,6 +2,7 @@
 
 use super::wrong::bad_setting;
 use crate::failure::Failure;
+use crate::profile::nearest;
 use crate::protocol::modbus::LAST_STATION;
 use crate::text::{Text, both};
 
@@ -31,38 +32,46 @@ const LAST_NODE: u8 = 63;
 
 /// Reads `1`, `1,2,5-9`; `names` are those that could stand there too.
 pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
-    let bad = || {
-        let known = match names.is_empty() {
-            true => Text::default(),
-            false => both!(", or one of: {names}", ", oder einer von: {names}", names = names.join(", ")),
-        };
-        bad_setting(
-            "address",
-            both!(
-                "expected addresses such as 1 or 1,2,5-9{known}; got '{text}'",
-                "erwartet: Adressen wie 1 oder 1,2,5-9{known}; angegeben: '{text}'",
-                known
-            ),
-        )
-    };
     let mut list = Vec::new();
     for part in text.split(',').map(str::trim) {
         let (first, last) = part.split_once('-').unwrap_or((part, part));
-        let first: u32 = first.trim().parse().map_err(|_| bad())?;
-        let last: u32 = last.trim().parse().map_err(|_| bad())?;
+        let first: u32 = first.trim().parse().map_err(|_| not_one(text, names))?;
+        let last: u32 = last.trim().parse().map_err(|_| not_one(text, names))?;
         check_address(first, text)?;
         check_address(last, text)?;
         if first > last {
-            return Err(bad());
+            return Err(not_one(text, names));
         }
         for address in first..=last {
-            let address = u8::try_from(address).map_err(|_| bad())?;
+            let address = u8::try_from(address).map_err(|_| not_one(text, names))?;
             if !list.contains(&address) {
                 list.push(address);
             }
         }
     }
     Ok(list)
+}
+
+/// The failure of what is no list of addresses, and no name either.
+fn not_one(text: &str, names: &[&str]) -> Failure {
+    let known = match names.is_empty() {
+        true => Text::default(),
+        false => both!(", or one of: {names}", ", oder einer von: {names}", names = names.join(", ")),
+    };
+    let failure = bad_setting(
+        "address",
+        both!(
+            "expected addresses such as 1 or 1,2,5-9{known}; got '{text}'",
+            "erwartet: Adressen wie 1 oder 1,2,5-9{known}; angegeben: '{text}'",
+            known
+        ),
+    );
+    match nearest(names, text).as_slice() {
+        [] => failure,
+        near => {
+            failure.hint(both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'", near = near.join("', '")))
+        }
+    }
 }
 
 fn check_address(address: u32, text: &str) -> Result<(), Failure> {
@@ -84,6 +93,14 @@ mod tests {
 
     fn parsed(text: &str) -> Result<Vec<u8>, String> {
         parse_addresses(text, &[]).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn a_name_that_is_nearly_one_is_told() {
+        let hint = |text| parse_addresses(text, &["fan", "pump"]).unwrap_err().hint.map(|hint| hint.en.clone());
+        assert_eq!(hint("fann").as_deref(), Some("did you mean 'fan'?"));
+        assert_eq!(hint("pmp").as_deref(), Some("did you mean 'pump'?"));
+        assert_eq!((hint("belt"), hint("5-2")), (None, None));
     }
 
     #[test]

@@ -121,12 +121,16 @@ impl<'a> Low<'a> {
         if let Some(list) = self.call_several(&text)? {
             return Ok((Addresses::Named(list), 0));
         }
-        let names: Vec<&str> = self.files.iter().flat_map(|(_, file)| file.drives.keys()).map(String::as_str).collect();
         let (drive, node) = match text.split_once('.') {
             Some((drive, node)) => (drive, parse_node(drive, node)?),
             None => (text.as_str(), 0),
         };
-        parse_addresses(drive, &names).map(|list| (Addresses::Named(list), node))
+        parse_addresses(drive, &self.names()).map(|list| (Addresses::Named(list), node))
+    }
+
+    /// The names of all drives that the files know.
+    fn names(&self) -> Vec<&str> {
+        self.files.iter().flat_map(|(_, file)| file.drives.keys()).map(String::as_str).collect()
     }
 
     /// Takes the drive of this name, if there is one; its address.
@@ -155,7 +159,7 @@ impl<'a> Low<'a> {
         let mut line: Option<(Origin, NamedDrive)> = None;
         for part in &parts {
             let Some(address) = self.call(part) else {
-                list.extend(parse_addresses(part, &[])?);
+                list.extend(parse_addresses(part, &self.names())?);
                 continue;
             };
             list.push(address);

@@ -32,7 +32,7 @@ pub(super) struct Complete {
 
 /// Who asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Shell {
+pub(super) enum Shell {
     /// Bare candidates.
     Bash,
     /// Candidate, tabulator, what it is.
@@ -41,6 +41,18 @@ enum Shell {
     Fish,
     /// As zsh.
     Powershell,
+}
+
+impl Shell {
+    /// Who writes the script for it.
+    pub(super) fn written(self) -> clap_complete::Shell {
+        match self {
+            Shell::Bash => clap_complete::Shell::Bash,
+            Shell::Zsh => clap_complete::Shell::Zsh,
+            Shell::Fish => clap_complete::Shell::Fish,
+            Shell::Powershell => clap_complete::Shell::PowerShell,
+        }
+    }
 }
 
 impl Page for Complete {

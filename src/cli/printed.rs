@@ -1,6 +1,6 @@
 //! What the program tells of itself, without settings and without a line: schemas, completions, man pages.
 
-use super::complete::Complete;
+use super::complete::{Complete, Shell};
 use super::manual;
 use super::page::{Page, Source};
 use crate::args::Takes;
@@ -86,7 +86,7 @@ fn verbs() -> Text {
 #[derive(Debug, Args)]
 struct Completions {
     /// The shell
-    shell: clap_complete::Shell,
+    shell: Shell,
 }
 
 impl Page for Completions {
@@ -95,15 +95,15 @@ impl Page for Completions {
 
     fn print(&self, source: Source<'_>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut (source.offered)(), "antrieb", &mut script);
+        clap_complete::generate(self.shell.written(), &mut (source.offered)(), "antrieb", &mut script);
         out.write_all(hooked(self.shell, &String::from_utf8_lossy(&script)).as_bytes())?;
         out.flush().map(|()| None)
     }
 }
 
 /// The script with what asks this program for values.
-fn hooked(shell: clap_complete::Shell, script: &str) -> String {
-    use clap_complete::Shell::{Bash, Fish, PowerShell, Zsh};
+fn hooked(shell: Shell, script: &str) -> String {
+    use Shell::{Bash, Fish, Powershell, Zsh};
     const ZSH: &str = "_antrieb() {\n";
     const POWERSHELL: &str = "param($wordToComplete, $commandAst, $cursorPosition)\n";
     match shell {
@@ -117,8 +117,7 @@ fn hooked(shell: clap_complete::Shell, script: &str) -> String {
             let asks = format!("{}{ZSH}    _antrieb_values && return 0\n", include_str!("hooks/antrieb.zsh"));
             script.replacen(ZSH, &asks, 1)
         }
-        PowerShell => script.replacen(POWERSHELL, &format!("{POWERSHELL}{}", include_str!("hooks/antrieb.ps1")), 1),
-        _ => script.to_owned(),
+        Powershell => script.replacen(POWERSHELL, &format!("{POWERSHELL}{}", include_str!("hooks/antrieb.ps1")), 1),
     }
 }
 

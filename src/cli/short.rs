@@ -49,6 +49,9 @@ pub(super) fn of(root: Command) -> Command {
 /// What the options of every verb stand under.
 const COMMON: &str = "Options of every verb (more with --help)";
 
+/// The same where the command has options of its own that its page leaves out.
+const COMMON_TOO: &str = "Options of every verb (more, also of this one alone, with --help)";
+
 /// The command with as many of the common options as its page has room for.
 fn fitted(command: Command) -> Command {
     let is_told = |arg: &&Arg| !arg.is_hide_set() && !arg.is_hide_short_help_set();
@@ -69,5 +72,11 @@ fn fitted(command: Command) -> Command {
     // What it does without a word gives way as the last.
     let is_default_away = away.len() < lacking && command.find_subcommand(DEFAULT).is_some();
     let command = if is_default_away { command.mut_subcommand(DEFAULT, |inner| inner.hide(true)) } else { command };
-    command.mut_args(|arg| if away.contains(&arg.get_id().as_str()) { arg.hide_short_help(true) } else { arg })
+    let is_own = |arg: &&Arg| arg.get_help_heading() != Some(COMMON) && !arg.is_global_set();
+    let hidden = |arg: &&Arg| is_own(arg) && arg.is_hide_short_help_set() && !arg.is_hide_set();
+    let heading = if command.get_arguments().filter(hidden).count() > 0 { COMMON_TOO } else { COMMON };
+    command.mut_args(|arg| {
+        let arg = if away.contains(&arg.get_id().as_str()) { arg.hide_short_help(true) } else { arg };
+        if arg.get_help_heading() == Some(COMMON) { arg.help_heading(heading) } else { arg }
+    })
 }

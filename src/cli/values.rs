@@ -69,7 +69,7 @@ const WORDS: &[(&str, &str)] = &[
     ("lang", "en de"),
     ("kind", "uint int word long"),
     ("start", "absolute relative"),
-    ("state", "switch-on-disabled ready-to-switch-on switched-on operation-enabled"),
+    ("state", "switch-on-disabled ready-to-switch-on switched-on operation-enabled quick-stop-active"),
     ("contacts", "S1IND S2IND S3IND S4IND S5IND S6IND MFI1D EM-S1IND EM-S2IND EM-S3IND"),
 ];
 

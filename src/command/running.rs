@@ -273,7 +273,7 @@ async fn on_drive<'p, C>(
     if plan.args.hold {
         session.pace();
     }
-    let (watched, before) = keypad::open(session, &mut target, &plan, interrupt.panel(), before).await?;
+    let (watched, before) = keypad::open(session, &mut target, (&plan, &permit), interrupt.panel(), before).await?;
     let family = target.family.clone();
     let mut motor = Motor::new(session, &mut target, &permit, plan.args.wait);
     if let Some(before) = &before {

@@ -129,6 +129,7 @@ impl Verb for Args {
         "antrieb --port sim -a 1 sollwert",
         "antrieb --port sim -a 1 sollwert 25Hz --jog 5s --take-control --yes",
         "antrieb --port sim -a 1 sollwert --ramp 0Hz:9Hz:5s --hold --enable --dry-run",
+        "antrieb -p sim -a 1 sollwert 9Hz --enable --hold --view --step 1Hz --dry-run",
         "antrieb --port sim -a 1 sollwert 0Hz",
     ];
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(

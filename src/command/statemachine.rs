@@ -262,7 +262,8 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     let family = offline_family(context.settings, context.registry)?;
     super::movable(&family)?;
     let Some(row) = family.states.iter().find(|row| row.slug == state) else {
-        let known: Vec<_> = family.states.iter().map(|row| row.slug.as_str()).collect();
+        let leads = |slug: &str| family.machine.transitions.iter().any(|way| way.to == slug && way.command.is_some());
+        let known: Vec<_> = family.states.iter().map(|row| row.slug.as_str()).filter(|slug| leads(slug)).collect();
         let message = both!(
             "there is no state '{state}' (expected: {known})",
             "es gibt keinen Zustand '{state}' (möglich: {known})",

@@ -7,7 +7,7 @@ use crate::outcome::{
     WriteResult, Written,
 };
 use crate::profile::value::{self, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Role, Sets, Store};
+use crate::profile::{Cause, DataSets, Effective, Family, HazardKind, Param, Role, Sets, Store};
 use crate::text::{Text, both};
 
 /// Tells the present raw value of another parameter, where the names of bits depend on one.
@@ -230,6 +230,13 @@ pub fn register(family: &Family, code: u32) -> Register {
             // 0 means the same everywhere: nothing was refused.
             let (slug, name) = match code {
                 0 => ("none", both!("nothing was refused", "nichts wurde abgelehnt")),
+                _ if matches!(family.link.cause, Cause::Diagnostics(_)) => (
+                    "unknown",
+                    both!(
+                        "a telegram was refused at some time, of whomever; no source tells what the number means",
+                        "irgendwann wurde ein Telegramm abgelehnt, gleich wessen; was die Nummer heißt, sagt keine Quelle"
+                    ),
+                ),
                 _ => ("unknown", both!("unknown code", "unbekannter Code")),
             };
             Register { code, slug: slug.to_owned(), name, hint: None }

@@ -143,6 +143,9 @@ pub struct Column {
     pub role: Option<&'static str>,
     /// Whether raw values can be turned into values; otherwise nobody knows the decimals.
     pub scaled: bool,
+    /// Whether its bits have names; every value says so itself.
+    #[serde(skip)]
+    pub is_word: bool,
 }
 
 impl Column {

@@ -35,7 +35,7 @@ pub use motion::{
     Adds, Blind, Choice, Control, Convert, Floor, Interlock, Mode, MotionRules, Movement, Part, Preset, Rest, Setting,
     Show, Source, Start, Stator, StopRow,
 };
-pub use names::{fold, is_nearly, place};
+pub use names::{fold, is_nearly, nearest, place};
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use role::Role;
 pub use row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultRow};

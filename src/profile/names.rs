@@ -38,6 +38,17 @@ pub fn is_nearly(name: &str, query: &str) -> bool {
     same(name, query) || near(name, query).is_some()
 }
 
+/// The names that are the fewest slips away from `query` (as typed), if these are few: in a short list one slip is, also in three letters.
+pub fn nearest<'n>(names: &[&'n str], query: &str) -> Vec<&'n str> {
+    let typed = fold(query);
+    let count = typed.chars().count();
+    let most = if count < 3 { 0 } else { (count / 4).clamp(1, 3) };
+    let slips = names.iter().map(|name| (slips(&fold(name), &typed), *name));
+    let near: Vec<_> = slips.filter(|(slips, _)| *slips <= most).collect();
+    let least = near.iter().map(|(slips, _)| *slips).min();
+    near.into_iter().filter(|(slips, _)| Some(*slips) == least).map(|(_, name)| name).collect()
+}
+
 /// How many letters were left out, put in, taken for another, or swapped with the next (Damerau's distance).
 fn slips(one: &str, other: &str) -> usize {
     let other: Vec<char> = other.chars().collect();
@@ -103,6 +114,21 @@ mod tests {
             ("abc", "abd", None),
         ] {
             assert_eq!(near(name, query), slips, "{query}");
+        }
+    }
+
+    #[test]
+    fn the_nearest_of_a_short_list_is_found_in_three_letters_too() {
+        let names = ["fan", "pump", "servo", "p1"];
+        for (query, near) in [
+            ("fann", &["fan"][..]),
+            ("pmp", &["pump"]),
+            ("Pupm", &["pump"]),
+            ("p2", &[]),
+            ("belt", &[]),
+            ("srevo", &["servo"]),
+        ] {
+            assert_eq!(nearest(&names, query), near, "{query}");
         }
     }
 

@@ -97,8 +97,10 @@ impl ValueError {
                 "die Einheit '{got}' passt nicht: dieser Parameter ist in {unit}"
             ),
             ValueError::Unit { got, expected: None } => both!(
-                "the unit '{got}' does not fit: the unit of this parameter is unknown",
-                "die Einheit '{got}' passt nicht: die Einheit dieses Parameters ist unbekannt"
+                "the unit '{got}' does not fit: the unit of this parameter is unknown; without one the number is what \
+                 the drive keeps, and a catalogue of one's own can tell the unit (`params import`, --catalogue)",
+                "die Einheit '{got}' passt nicht: die Einheit dieses Parameters ist unbekannt; ohne sie ist die Zahl, \
+                 was der Antrieb speichert, und ein eigener Katalog kann sie nennen (`params import`, --catalogue)"
             ),
             ValueError::NoScale { unit } => both!(
                 "no source tells the decimals of this parameter in {unit}",

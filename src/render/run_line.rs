@@ -1,7 +1,7 @@
 //! The one line of a run that is held, on stderr: state, setpoint and actual value, current, warnings, what is left of its time,
 //! and how it is stopped. What does not fit is left out as a whole, the least important first.
 
-use super::stream::cells::{GAP, find, long, number, short};
+use super::stream::cells::{GAP, find, first_of, long, number};
 use super::words::word;
 use super::{clean, progress_width};
 use crate::outcome::{Column, Decimal, Record, RunNews, Sample, Value};
@@ -12,7 +12,7 @@ use unicode_width::UnicodeWidthStr;
 /// Columns of a terminal that does not tell.
 const USUAL: u16 = 80;
 
-/// Warnings by their names take no more columns than this; longer ones are shown as a word.
+/// Warnings by their names take no more columns than this; of longer ones the first is named, and the others are counted.
 const MOST: usize = 30;
 
 /// The line, and what it knows.
@@ -20,13 +20,17 @@ pub(super) struct RunLine {
     lang: Lang,
     columns: Vec<Column>,
     news: Option<RunNews>,
+    /// What was seen last; once the drive has fallen silent that it is.
+    last: Option<Sample>,
+    /// When it answered last.
+    answered: Option<Decimal>,
     /// Columns of what stands there now.
     shown: usize,
 }
 
 impl RunLine {
     pub(super) fn new(lang: Lang) -> Self {
-        RunLine { lang, columns: Vec::new(), news: None, shown: 0 }
+        RunLine { lang, columns: Vec::new(), news: None, last: None, answered: None, shown: 0 }
     }
 
     /// What is to be written for a record, if anything.
@@ -38,20 +42,29 @@ impl RunLine {
             }
             Record::Run(news) => {
                 self.news = Some(news.clone());
-                None
+                self.last.clone().map(|last| self.written(&last))
             }
             Record::Sample(sample) => {
-                // The last column stays free: some terminals begin a new line behind it.
-                let width = usize::from(progress_width().unwrap_or(USUAL)).saturating_sub(1);
-                let line = self.line(sample, width);
-                let columns = line.width();
-                // Blanks wipe what it does not cover, on every terminal there is.
-                let blanks = " ".repeat(self.shown.min(width).saturating_sub(columns));
-                self.shown = columns;
-                Some(format!("\r{line}{blanks}"))
+                if sample.error.is_none() {
+                    self.answered = Some(sample.t);
+                }
+                self.last = Some(sample.clone());
+                Some(self.written(sample))
             }
             _ => None,
         }
+    }
+
+    /// The line, over the one that stands there.
+    fn written(&mut self, sample: &Sample) -> String {
+        // The last column stays free: some terminals begin a new line behind it.
+        let width = usize::from(progress_width().unwrap_or(USUAL)).saturating_sub(1);
+        let line = self.line(sample, width);
+        let columns = line.width();
+        // Blanks wipe what it does not cover, on every terminal there is.
+        let blanks = " ".repeat(self.shown.min(width).saturating_sub(columns));
+        self.shown = columns;
+        format!("\r{line}{blanks}")
     }
 
     /// What takes the line away, where one stands.
@@ -68,13 +81,16 @@ impl RunLine {
     /// Its parts in their order, each with its weight: the greatest is left out first.
     fn parts(&self, sample: &Sample) -> Vec<(u8, String)> {
         let mut parts = Vec::new();
+        if sample.error.is_some() {
+            parts.push((0, self.silence(sample.t)));
+        }
         if let Some(state) = &sample.state {
             parts.push((0, state.name.get(self.lang).to_owned()));
         }
         parts.extend(self.speed(sample).map(|speed| (1, speed)));
         if let Some((column, warnings)) = self.value(sample, &["warnings"]).filter(|(_, value)| value.raw != Some(0)) {
             let named = long(column, warnings, self.lang);
-            let told = if named.width() > MOST { short(column, Some(warnings), self.lang) } else { named };
+            let told = if named.width() > MOST { first_of(column, warnings, self.lang) } else { named };
             parts.push((2, format!("{}: {told}", word(self.lang, "warnings"))));
         }
         if let Some((column, current)) = self.value(sample, &["current"]) {
@@ -84,6 +100,13 @@ impl RunLine {
         parts.extend(self.left(sample).map(|left| (4, left)));
         parts.extend(self.end().map(|end| (3, end)));
         parts
+    }
+
+    /// That nothing is known of the drive, and since when.
+    fn silence(&self, t: Decimal) -> String {
+        let Some(since) = self.answered else { return self.lang.pick("NO ANSWER", "KEINE ANTWORT").to_owned() };
+        let gone = format_decimal(t.raw.saturating_sub(since.raw).max(0) / 100_000, 1);
+        self.lang.pick("NO ANSWER for {} s", "KEINE ANTWORT seit {} s").replace("{}", &gone)
     }
 
     /// `25.00 -> 24.93 Hz`
@@ -102,7 +125,8 @@ impl RunLine {
         let text = match (given, actual) {
             (Some((given, unit)), Some((actual, of))) if unit == of => format!("{given} -> {actual} {of}"),
             (Some((given, unit)), Some((actual, of))) => format!("{given} {unit} -> {actual} {of}"),
-            (Some((given, unit)), None) => format!("{given} {unit} -> {GAP}"),
+            (Some((given, unit)), None) if sample.error.is_none() => format!("{given} {unit} -> {GAP}"),
+            (Some(_), None) => return None,
             (None, Some((actual, of))) => format!("{actual} {of}"),
             (None, None) => return None,
         };
@@ -148,7 +172,8 @@ pub(super) fn left(news: &RunNews, t: Decimal) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::outcome::{SampleValue, State, StreamStart, WatchedDrive};
+    use crate::failure::{Class, Failure};
+    use crate::outcome::{ErrorDoc, SampleValue, State, StreamStart, WatchedDrive};
     use crate::text::Text;
 
     const RAW: i64 = 0x20;
@@ -156,7 +181,17 @@ mod tests {
     fn column(role: &'static str, unit: &str) -> Column {
         let unit = (!unit.is_empty()).then(|| unit.to_owned());
         let (slug, name) = (role.to_owned(), Text::name(role));
-        Column { param: role.len() as u32, data_set: 0, store: "ram", slug, name, unit, role: Some(role), scaled: true }
+        Column {
+            param: role.len() as u32,
+            data_set: 0,
+            store: "ram",
+            slug,
+            name,
+            unit,
+            role: Some(role),
+            scaled: true,
+            is_word: false,
+        }
     }
 
     fn columns() -> Vec<Column> {
@@ -266,6 +301,35 @@ mod tests {
             line(Lang::En, "stopping", 0, 79),
             "Operation enabled  24.93 Hz  3.20 A  10.3 s left  stopping: ramp"
         );
+    }
+
+    #[test]
+    fn a_drive_that_is_silent_is_said_to_be_and_for_how_long() {
+        let at = |raw| Decimal { raw, decimals: 6 };
+        let mut line = RunLine { answered: Some(at(2_000_000)), ..RunLine::new(Lang::De) };
+        let failure = Failure::new(Class::Silence, "silence.no_reply", Text::name("no reply"));
+        let gap = Sample {
+            t: at(5_250_000),
+            n: 7,
+            port: None,
+            address: 1,
+            called: None,
+            drive: "acu".to_owned(),
+            state: None,
+            values: Vec::new(),
+            error: Some(ErrorDoc::from(&failure)),
+            line: None,
+        };
+        assert_eq!(line.record(&Record::Sample(gap)).as_deref(), Some("\rKEINE ANTWORT seit 3.2 s"));
+        let news = |stop| {
+            let (setpoint, unit) = (None, None);
+            RunNews { t: at(5_300_000), address: 1, phase: "stopping", setpoint, unit, ends: None, stop, keys: None }
+        };
+        // The stop that is under way is told at once, whatever the drive answers.
+        for stop in ["ramp", "coast"] {
+            let shown = line.record(&Record::Run(news(stop))).unwrap();
+            assert_eq!(shown.trim_end(), format!("\rKEINE ANTWORT seit 3.2 s  hält an: {stop}"));
+        }
     }
 
     #[test]

@@ -167,6 +167,22 @@ fn gaps_in_csv_are_empty_cells() {
 }
 
 #[test]
+fn a_word_in_csv_is_hex_and_its_bits_are_names() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 2\n[[drive.event]]\nat = \"0s\"\nwarning = 0x0085\n";
+    for (lang, names) in [("en", "Long-term Ixt"), ("de", "Langzeit Ixt")] {
+        let output =
+            antrieb(&format!("-a 2 monitor --count 1 --unpaced --format csv --lang {lang}")).on(bench).exits(0);
+        let mut reader = csv::Reader::from_reader(output.out.as_bytes());
+        let head = reader.headers().unwrap().clone();
+        let row = reader.records().next().unwrap().unwrap();
+        let cell = |name: &str| row.get(head.iter().position(|head| head == name).unwrap()).unwrap();
+        assert_eq!(cell("warnings"), "0x0085");
+        assert!(cell("warnings_bits").contains(&format!("; {names}; ")), "{}", cell("warnings_bits"));
+        assert!(cell("status-word").starts_with("0x0") && !cell("status-word_bits").is_empty(), "{row:?}");
+    }
+}
+
+#[test]
 fn values_without_known_decimals_are_raw_in_csv() {
     let output = antrieb("-p sim -a 1 monitor 241 372@2 --count 1 --unpaced --format csv").exits(0);
     assert_eq!(output.out.lines().next().unwrap(), "t,n,address,drive,state,actual-frequency.raw,rated-speed@2,error");
@@ -231,7 +247,7 @@ fn a_drive_that_comes_later_fits_into_the_columns() {
     // What only a Lexium has, which it could have been, stays empty: its status word.
     let empty: Vec<_> =
         reader.headers().unwrap().iter().zip(last).filter(|row| row.1.is_empty()).map(|row| row.0).collect();
-    assert_eq!(empty, ["status-word", "error"], "{last:?}");
+    assert_eq!(empty, ["warnings_bits", "status-word", "status-word_bits", "error"], "{last:?}");
 }
 
 #[test]

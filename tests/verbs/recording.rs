@@ -154,10 +154,9 @@ fn a_trigger_has_a_name_in_the_project_file() {
     let run = antrieb(line).on(TRIPS).file("antrieb.toml", project).exits(0);
     let start = &records(&run.out)[0];
     assert_eq!(start["waits"], json!({"triggers": ["state -> fault"], "pre": 1.0, "post": 2.0, "once": true}));
-    assert!(
-        run.text_of("trip.csv")
-            .starts_with("t,n,address,drive,state,stator-frequency,rms-current,status-word,error,trigger\n")
-    );
+    assert!(run.text_of("trip.csv").starts_with(
+        "t,n,address,drive,state,stator-frequency,rms-current,status-word,status-word_bits,error,trigger\n"
+    ));
     // What is typed goes before it.
     let typed = antrieb(line).and("411 --pre 3s").on(TRIPS).file("antrieb.toml", project).exits(0);
     assert_eq!(records(&typed.out)[0]["waits"]["pre"], 3.0);

@@ -204,7 +204,7 @@ fn check(options: &Options, file: &str, context: &Context<'_>, written: &Written
     let registry = Registry::open(&others.chain([this]).collect::<Vec<_>>());
     let Err(error) = registry else { return Ok(()) };
     let failure = Failure::new(Class::Data, "data.list", wrong(file, &path, &error, written));
-    Err(match already(&error.message.en).is_some() {
+    Err(match already(&error.message).is_some() {
         true => failure.hint(both!(
             "--replace lets the rows of the list take the place of those that are there",
             "--replace lässt die Zeilen der Liste an die Stelle der vorhandenen treten"
@@ -218,7 +218,7 @@ fn wrong(file: &str, path: &str, error: &Broken, written: &Written) -> Text {
         return error.text();
     }
     let line = written.lines.iter().find(|line| line.0 == error.line).map(|line| line.1);
-    let told = already(&error.message.en).unwrap_or_else(|| error.message.clone());
+    let told = already(&error.message).unwrap_or_else(|| error.message.clone());
     match line {
         Some(line) => both!("{file}:{line}: {told}", "{file}:{line}: {told}", file, line, told),
         None => both!("{file}: {told}", "{file}: {told}", file, told),
@@ -226,10 +226,10 @@ fn wrong(file: &str, path: &str, error: &Broken, written: &Written) -> Text {
 }
 
 /// What a catalogue says of a number that is there already, in words for who has a list: he has no rows of TOML.
-fn already(message: &str) -> Option<Text> {
-    let (number, rest) = message.strip_prefix("parameter ")?.split_once(" is already in ")?;
-    let (place, _) = rest.split_once("; add `replace = true`")?;
-    Some(both!("parameter {number} is already in {place}", "Parameter {number} steht schon in {place}"))
+fn already(message: &Text) -> Option<Text> {
+    let (en, _) = message.en.split_once("; add `replace = true`")?;
+    let (de, _) = message.de.split_once("; ")?;
+    en.contains(" is already in ").then(|| Text { en: en.to_owned().into(), de: de.to_owned().into() })
 }
 
 fn refused(file: &str, error: &ImportError) -> Failure {

@@ -182,8 +182,8 @@ impl Reader<'_> {
             track.marks.push(Mark { t, kind: MarkKind::Trigger, text: Text::name(trigger) });
         }
         track.rows.push(Row { t, state, is_gap });
-        // A raw value is none in its unit.
-        for (key, cell) in values.filter(|(key, _)| !key.ends_with(".raw")) {
+        // A raw value is none in its unit, and names of bits are none at all.
+        for (key, cell) in values.filter(|(key, _)| !key.ends_with(".raw") && !key.ends_with("_bits")) {
             let (slug, set) =
                 key.split_once('@').map_or((key.as_str(), 0), |(slug, set)| (slug, set.parse().unwrap_or(0)));
             let param = family.as_ref().and_then(|family| family.params.values().find(|param| param.slug == slug));

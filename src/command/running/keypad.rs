@@ -5,8 +5,9 @@ use super::{Plan, asking};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::monitor;
 use crate::drive::motion::{Ended, Motor, Situation, Stays, Watched, look, may_turn};
-use crate::drive::{AccessError, EndedBy, Interrupt, Panel, Session, Target};
+use crate::drive::{EndedBy, Interrupt, Panel, Session, Target};
 use crate::failure::{Class, Failure};
+use crate::gate::{self, Permit};
 use crate::outcome::Event;
 use crate::text::{Text, both};
 
@@ -46,7 +47,7 @@ pub(super) fn is_there(args: &MotionArgs, panel: &Panel) -> Result<(), Failure> 
 pub(super) async fn open(
     session: &mut Session<'_>,
     target: &mut Target,
-    plan: &Plan<'_>,
+    (plan, permit): (&Plan<'_>, &Permit<gate::Motion>),
     panel: &Panel,
     before: Option<Situation>,
 ) -> Result<(Option<Watched>, Option<Situation>), Failure> {
@@ -58,22 +59,24 @@ pub(super) async fn open(
     if plan.args.dead_man {
         panel.needs_holding();
     }
-    let mut watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone(), panel.clone());
-    let mut before = before;
+    let watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone(), panel.clone());
+    let (mut watched, mut before) = (Some(watched), before);
     if plan.args.dead_man {
         session.tell(Event::Note(both!(
             "hold Enter or an arrow: it runs only as long",
             "Enter oder einen Pfeil halten: nur so lange läuft er"
         )));
-        match session.during(panel.held()).await {
-            Ok(()) => {}
-            Err(AccessError::Interrupted) => return Err(asking::interrupted()),
-            Err(error) => return Err(error.failure(target.address, Some(&target.family))),
-        }
+        let mut motor = Motor::new(session, target, permit, None);
+        motor.watched = watched.take();
+        motor.await_key(panel).await.map_err(|failure| match failure.class {
+            Class::Interrupted => asking::interrupted(),
+            _ => failure,
+        })?;
+        watched = motor.watched.take();
         before = Some(look(session, target).await?);
     }
-    watched.starts(session);
-    Ok((Some(watched), before))
+    watched.iter_mut().for_each(|watched| watched.starts(session));
+    Ok((watched, before))
 }
 
 /// A run that was held and ended by its keypad came to its normal end, unless somebody interrupted as well. Where it was only

@@ -32,6 +32,11 @@ fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool
             "it keeps running when this program ends (--on-exit keep)",
             "er läuft weiter, wenn dieses Programm endet (--on-exit keep)"
         ),
+        (true, stop) if plan.args.dead_man => both!(
+            "it runs only while a key is held, and is stopped when that is let go or this program ends ({stop})",
+            "er läuft nur, solange eine Taste gehalten wird; beim Loslassen und am Programmende wird er angehalten ({stop})",
+            stop = stop_name(stop)
+        ),
         (true, _) if plan.is_started_by_others(family, before) => started_by_others(family),
         (true, stop) => both!(
             "it is stopped when this program ends ({stop})",

@@ -16,12 +16,12 @@ pub(super) struct Keys {
 }
 
 impl Keys {
-    /// What was typed, in the words of the mode; `None` where the arrows do nothing.
+    /// What was typed, in the words of the mode; `None` where the arrows do nothing. `is_shown`: there is a view that reads keys.
     pub(super) fn of(
         args: &KeypadArgs,
         (mode, family): (&Mode, &Family),
         schedule: &Schedule,
-        by_speed: bool,
+        (by_speed, is_shown): (bool, bool),
     ) -> Result<Option<Self>, Failure> {
         let Some(step) = &args.step else { return Ok(None) };
         if !mode.zero || !mode.starts.is_empty() || mode.codes.is_some() || mode.denominator.is_some() {
@@ -55,6 +55,13 @@ impl Keys {
                 "the setpoint of the run must lie between --min and --max",
                 "der Sollwert des Laufs muss zwischen --min und --max liegen"
             )));
+        }
+        if !is_shown {
+            return Err(bad(both!(
+                "the arrows of --step belong to the live view, and none is asked for: nothing would read a key",
+                "die Pfeile von --step gehören zur Ansicht, und die ist nicht verlangt: nichts würde eine Taste lesen"
+            ))
+            .hint(both!("add --view, or --dead-man", "--view oder --dead-man angeben")));
         }
         Ok(Some(keys))
     }

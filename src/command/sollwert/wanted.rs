@@ -249,7 +249,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
     let denominator = said.first().and_then(|one| one.denominator);
     let by_speed = said.first().is_some_and(|one| one.by_speed);
     let wanted = Wanted {
-        keys: Keys::of(&args.keypad, (mode, family), &schedule, by_speed)?,
+        keys: Keys::of(&args.keypad, (mode, family), &schedule, (by_speed, args.motion.wants_keys()))?,
         param: family.param_or_unknown(mode.setpoint),
         by_speed,
         denominator: mode.denominator.zip(denominator).map(|(id, raw)| set(id, raw)),

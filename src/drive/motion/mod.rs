@@ -350,7 +350,8 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn status_word(&mut self) -> Result<u32, Failure> {
-        let status = look::status_word(self.session, self.target).await?;
+        let status = look::status_word(self.session, self.target).await;
+        let status = status.inspect_err(|failure| self.misses(failure))?;
         self.hears();
         Ok(status)
     }
@@ -362,9 +363,13 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// The raw value of a parameter; `None` if the drive refuses it.
     async fn raw(&mut self, param: &Param) -> Result<Option<i64>, Failure> {
-        let raw = look::raw(self.session, self.target, param, 0).await?;
+        let raw = look::raw(self.session, self.target, param, 0).await;
+        let raw = raw.inspect_err(|failure| self.misses(failure))?;
         self.hears();
-        raw.iter().for_each(|&raw| self.sees(param, raw));
+        if let Some(raw) = raw {
+            self.sees(param, raw);
+            self.shows();
+        }
         Ok(raw)
     }
 
@@ -412,7 +417,11 @@ impl<'a, 's> Motor<'a, 's> {
             self.session.believe_since(Some(self.session.now()));
         }
         match fate {
-            Ok(WriteFate::Unknown(error)) | Err(error) => Err(self.failure(&error)),
+            Ok(WriteFate::Unknown(error)) | Err(error) => {
+                let failure = self.failure(&error);
+                self.misses(&failure);
+                Err(failure)
+            }
             Ok(_) => {
                 self.fed = self.session.now();
                 self.heard = self.fed;

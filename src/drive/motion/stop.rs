@@ -64,6 +64,7 @@ impl Motor<'_, '_> {
             if self.lever == Lever::Contacts && way == StopChoice::QuickStop {
                 way = self.no_quick_stop();
                 stop.escalated = Some(way.slug());
+                self.stops_by(way.slug());
             }
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => return self.proven(stop, proof).await,

@@ -12,8 +12,8 @@ use crate::drive::{AccessError, Item, Session, Target};
 use crate::exchange::INSIST;
 use crate::failure::{Class, Failure};
 use crate::outcome::{
-    Column, Decimal, Event, Record, RunKeys, RunNews, SCHEMA_VERSION, Sample, SampleValue, State, StreamStart,
-    WatchedDrive,
+    Column, Decimal, ErrorDoc, Event, Record, RunKeys, RunNews, SCHEMA_VERSION, Sample, SampleValue, State,
+    StreamStart, WatchedDrive,
 };
 use crate::profile::{Param, Type};
 use crate::text::Text;
@@ -61,6 +61,8 @@ pub struct Watched {
     told: Option<Tick>,
     /// What the drive said of its state, and when.
     status: Option<(u32, Tick)>,
+    /// The last question brought no answer: what was seen before it is not shown as if it were of now.
+    silent: bool,
     news: RunNews,
     /// What was said of it last.
     said: Option<RunNews>,
@@ -132,6 +134,7 @@ impl Watched {
             samples: 0,
             told: None,
             status: None,
+            silent: false,
             news,
             said: None,
             cost: COST,
@@ -172,6 +175,7 @@ impl Watched {
     }
 
     fn takes(&mut self, now: Tick, target: &Target, param: &Param, raw: i64) {
+        self.silent = false;
         let t = seconds(now.since(self.begun));
         let Some(row) = self.rows.iter_mut().find(|row| row.param.id == param.id) else { return };
         let kind = param.kind.unwrap_or(Type::Long);
@@ -210,7 +214,7 @@ impl Motor<'_, '_> {
     /// A status word was seen.
     pub(super) fn sees_status(&mut self, status: u32) {
         let Some(shown) = &mut self.watched else { return };
-        shown.status = Some((status, self.session.now()));
+        (shown.status, shown.silent) = (Some((status, self.session.now())), false);
         if let Some(param) = self.target.family.clone().role("status-word") {
             self.sees(param, status.into());
         }
@@ -239,8 +243,14 @@ impl Motor<'_, '_> {
         self.watched.iter_mut().for_each(|shown| shown.led = led);
     }
 
-    /// Tells what is known, unless that was done a moment ago.
-    fn shows(&mut self) {
+    /// It is stopped by another way from now on.
+    pub(super) fn stops_by(&mut self, slug: &'static str) {
+        self.watched.iter_mut().for_each(|shown| shown.news.stop = slug);
+        self.shows();
+    }
+
+    /// Tells what is known, unless that was done a moment ago, or the drive has fallen silent.
+    pub(super) fn shows(&mut self) {
         let now = self.session.now();
         let Some(shown) = &mut self.watched else { return };
         let runs = !matches!(shown.news.phase, "stopping" | "ended");
@@ -248,13 +258,29 @@ impl Motor<'_, '_> {
         shown.news.setpoint = setpoint.map(|setpoint| setpoint.value);
         shown.news.unit = setpoint.map(|setpoint| setpoint.unit.clone()).filter(|unit| !unit.is_empty());
         shown.changes(self.session);
-        let Some((status, at)) = shown.status.filter(|_| shown.told.is_none_or(|told| now.since(told) >= SOONEST))
+        let Some((status, at)) = shown.status.filter(|_| !shown.silent) else { return };
+        let oldest = seconds(now.since(shown.begun + STALE)).raw;
+        let is_fresh = |value: &SampleValue| value.t.raw >= oldest;
+        let values = shown.rows.iter().filter_map(|row| row.value.clone().filter(is_fresh)).collect();
+        let state: State = describe::state(&self.target.family, status);
+        self.samples((now.since(at) < STALE).then_some(state), values, None);
+    }
+
+    /// No valid answer came: whoever watches sees a gap, and its length, in place of what was before it.
+    pub(super) fn misses(&mut self, failure: &Failure) {
+        if matches!(failure.class, Class::Silence | Class::Garbled) {
+            self.watched.iter_mut().for_each(|shown| shown.silent = true);
+            self.samples(None, Vec::new(), Some(ErrorDoc::from(failure)));
+        }
+    }
+
+    fn samples(&mut self, state: Option<State>, values: Vec<SampleValue>, error: Option<ErrorDoc>) {
+        let now = self.session.now();
+        let Some(shown) =
+            self.watched.as_mut().filter(|shown| shown.told.is_none_or(|told| now.since(told) >= SOONEST))
         else {
             return;
         };
-        let oldest = seconds(now.since(shown.begun + STALE)).raw;
-        let state: State = describe::state(&self.target.family, status);
-        let is_known = now.since(at) < STALE;
         let sample = Sample {
             t: seconds(now.since(shown.begun)),
             n: shown.samples,
@@ -262,13 +288,9 @@ impl Motor<'_, '_> {
             address: self.target.address,
             called: None,
             drive: self.target.family.drive.clone(),
-            state: is_known.then_some(state),
-            values: shown
-                .rows
-                .iter()
-                .filter_map(|row| row.value.clone().filter(|value| value.t.raw >= oldest))
-                .collect(),
-            error: None,
+            state,
+            values,
+            error,
             line: None,
         };
         (shown.told, shown.samples) = (Some(now), shown.samples + 1);
@@ -279,6 +301,13 @@ impl Motor<'_, '_> {
     /// whatever the drive answers; `end` is that of the run.
     pub(super) async fn spend(&mut self, pause: Span, end: Option<Tick>) -> Result<(), Failure> {
         let until = self.session.now() + pause;
+        self.fill(until, end).await?;
+        let now = self.session.now();
+        if now < until { self.rest(until.since(now)).await } else { Ok(()) }
+    }
+
+    /// Asks for what is shown, as far as that fits into a pause.
+    async fn fill(&mut self, until: Tick, end: Option<Tick>) -> Result<(), Failure> {
         if self.watched.is_some() {
             let insisted = self.session.is_insisting();
             self.session.insist(false);
@@ -288,8 +317,34 @@ impl Motor<'_, '_> {
             asked?;
             self.shows();
         }
-        let now = self.session.now();
-        if now < until { self.rest(until.since(now)).await } else { Ok(()) }
+        Ok(())
+    }
+
+    /// Looks at the state for the view alone.
+    async fn look_for_view(&mut self) -> Result<(), Failure> {
+        self.session.end_at(None);
+        let retries = self.session.set_retries(0);
+        let status = status_word(self.session, self.target).await;
+        self.session.set_retries(retries);
+        match status {
+            Ok(status) => self.sees_status(status),
+            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => return Err(failure),
+            Err(failure) => self.misses(&failure),
+        }
+        Ok(())
+    }
+
+    /// Shows the drive until a key of the keypad is held, or somebody ended it before. Only reads.
+    pub async fn await_key(&mut self, panel: &Panel) -> Result<(), Failure> {
+        loop {
+            self.look_for_view().await?;
+            let until = self.session.now() + EVERY;
+            self.fill(until, None).await?;
+            let held = self.session.during_until(panel.held(), Some(until)).await;
+            if held.map_err(|error| self.failure(&error))?.is_some() {
+                return Ok(());
+            }
+        }
     }
 
     async fn ask_for_view(&mut self, until: Tick) -> Result<(), Failure> {
@@ -340,13 +395,8 @@ impl Motor<'_, '_> {
             if stays == Stays::UntilQuiet && presses != panel.presses() {
                 (since, presses) = (self.session.now(), panel.presses());
             }
-            self.session.end_at(None);
-            let retries = self.session.set_retries(0);
-            let status = status_word(self.session, self.target).await;
-            self.session.set_retries(retries);
-            if let Ok(status) = status {
-                self.sees_status(status);
-            }
+            // Who interrupts here has left; a lost port ends the next question as well.
+            let _over = self.look_for_view().await;
             if self.spend(EVERY, None).await.is_err() {
                 return;
             }

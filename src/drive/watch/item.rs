@@ -76,6 +76,7 @@ impl Item {
                 unit: param.unit.clone(),
                 role: ROLES.into_iter().find(|role| family.role(role).is_some_and(|known| known.id == param.id)),
                 scaled: param.has_scale(),
+                is_word: family.is_word(param),
             }
         };
         self.sets.wire().into_iter().map(column).collect()

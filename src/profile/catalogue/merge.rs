@@ -156,7 +156,7 @@ impl Origin {
                     "parameter {id} is already in {place}; {replace}",
                     "Parameter {id} steht schon in {place}; {replace}",
                     id = row.id,
-                    place = old.origin,
+                    place = place(&old.origin),
                     replace = REPLACE
                 );
                 return Err(self.error(at, message));
@@ -370,4 +370,10 @@ const REPLACE: Text = Text::new(
 
 fn twice(what: &Text) -> Text {
     both!("{what} is there already; {replace}", "{what} ist schon da; {replace}", what, replace = REPLACE)
+}
+
+/// A catalogue by its origin: a file of somebody's own, or one that came with the program.
+fn place(origin: &str) -> Text {
+    let file = origin.strip_prefix("built-in ");
+    file.map_or_else(|| Text::name(origin), |file| both!("built-in {file}", "der eingebauten {file}"))
 }

@@ -84,13 +84,14 @@ fn plain(value: &Value) -> String {
 const ABSENT: [&str; 2] = ["set", "present"];
 
 /// What tells an object, the first of which it has all fields: a field of a telegram, a fault, the error register, a counter; a
-/// word; what is called something; what went wrong.
-const TOLD: [&[&str]; 7] = [
+/// word; a state that is present by the commands that lead out of it; what is called something; what went wrong.
+const TOLD: [&[&str]; 8] = [
     &["hex", "name", "value"],
     &["key", "name"],
     &["code", "name"],
     &["name", "count"],
     &["hex"],
+    &["leads"],
     &["name"],
     &["message"],
 ];

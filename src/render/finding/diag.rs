@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::{Finding, Rows};
-use crate::outcome::{Diag, Diagnosis, LinkTest, Value, Word};
+use crate::outcome::{Diag, Diagnosis, LinkTest, Register, Value, Word};
 use crate::profile::value::format_decimal;
 
 impl Finding for Diag {
@@ -21,7 +21,9 @@ impl Finding for Diag {
 impl Page {
     /// Several drives, one row each.
     fn fleet(self, diag: &Diag) -> String {
-        let refused = diag.drives.iter().filter_map(|report| report.error_register.as_ref()).any(|it| it.code != 0);
+        // A number that nobody can read ails no drive: it stands in its own page.
+        let is_told = |register: &&Register| register.code != 0 && register.hint.is_some();
+        let refused = diag.drives.iter().any(|report| report.error_register.as_ref().filter(is_told).is_some());
         let row = |report: &Diagnosis| {
             let state = report.status.as_ref().and_then(|word| word.state.as_ref());
             let found = match &report.error {
@@ -29,10 +31,10 @@ impl Page {
                 None => [
                     self.say_or_not(state.map(|state| &state.name)),
                     self.present(report),
-                    report.warnings.as_ref().map_or_else(String::new, |word| self.set_bits(word)),
+                    report.warnings.as_ref().map_or_else(String::new, |word| self.first_of(&self.set_bits(word))),
                 ],
             };
-            let refusal = report.error_register.as_ref().filter(|register| register.code != 0);
+            let refusal = report.error_register.as_ref().filter(is_told);
             let refusal = refusal.map_or_else(|| "-".to_owned(), |it| format!("{} {}", it.code, self.say(&it.name)));
             let head = [report.address.to_string(), self.family(&report.drive).to_owned()];
             head.into_iter().chain(found).chain(refused.then_some(refusal)).collect()
@@ -66,16 +68,21 @@ impl Page {
             return text + &self.prose(error.message.get(self.lang));
         }
         let mut rows = self.fault_or_none(report.fault.as_ref(), report.fault_code);
-        rows.extend(report.warnings.iter().flat_map(|word| self.warnings(word)));
         if let Some(status) = &report.status {
             let state = self.say_or_not(status.state.as_ref().map(|state| &state.name));
             rows.push(("state", format!("{state} ({})", status.hex)));
         }
         rows.extend(self.missing(&report.missing));
+        rows.extend(report.warnings.iter().flat_map(|word| self.warnings(word)));
         if let Some(register) = report.error_register.as_ref().filter(|register| self.full || register.code != 0) {
             let hint = register.hint.as_ref().filter(|_| register.code != 0);
             let hint = hint.map_or_else(String::new, |hint| format!(": {}", self.say(hint)));
-            rows.push(("error register", format!("{} {}{hint}", register.code, self.say(&register.name))));
+            let age = if register.code == 0 {
+                ""
+            } else {
+                self.lang.pick("; it does not tell when", "; wann, sagt er nicht")
+            };
+            rows.push(("error register", format!("{} {}{hint}{age}", register.code, self.say(&register.name))));
         }
         rows.extend(self.memory(&report.memory));
         let known = report.watchdog.iter().filter(|value| value.error.is_none() && (self.full || value.raw != Some(0)));
@@ -100,8 +107,11 @@ impl Page {
         }
     }
 
-    /// The warnings that are set, each with what it means.
+    /// The warnings that are set by their names; on a full page each with what it means.
     pub(super) fn warnings(self, word: &Word) -> Vec<(&'static str, String)> {
+        if !self.full && word.bits.iter().any(|bit| bit.set) {
+            return vec![("warnings", self.set_bits(word))];
+        }
         let set = word.bits.iter().filter(|bit| bit.set).enumerate();
         let rows: Vec<_> = set
             .map(|(index, bit)| {

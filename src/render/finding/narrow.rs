@@ -11,18 +11,23 @@ const NARROWEST: u16 = 8;
 /// No column becomes so narrow that a word is torn apart, as long as all of them have room for their longest. Where they have not,
 /// names are broken behind their hyphens; where that does not do either, the column with the longest words gives way, and never
 /// one of numbers (`>` in the head), because a digit less is another value. Returns what holds for each column.
+///
+/// A column whose head begins with `=` is never broken: what stands there is typed again.
 pub(super) fn hold_words_together(
     names: &[&str],
     rows: &mut [Vec<String>],
     head: &[&str],
     width: u16,
 ) -> Vec<ColumnConstraint> {
-    let least = widths(names, rows, |cell| longest(cell.split_whitespace()));
+    let least = of_words(names, rows, head);
     if sum(&least) <= width {
         return least.into_iter().map(|least| ColumnConstraint::LowerBoundary(Width::Fixed(least))).collect();
     }
-    let mut least = widths(names, rows, |cell| longest(pieces(cell).map(|(piece, _)| piece)));
-    let is_of_words = |index: usize| head.get(index).is_none_or(|name| !name.starts_with('>'));
+    let mut least = widths(names, rows, |index, cell| match is_whole(head, index) {
+        true => cell.width(),
+        false => longest(pieces(cell).map(|(piece, _)| piece)),
+    });
+    let is_of_words = |index: usize| head.get(index).is_none_or(|name| !name.starts_with(['>', '=']));
     let over = sum(&least).saturating_sub(width);
     let words = least.iter_mut().enumerate().filter(|(index, _)| is_of_words(*index));
     if let Some((_, longest)) = words.max_by_key(|(_, least)| **least) {
@@ -31,7 +36,7 @@ pub(super) fn hold_words_together(
     if sum(&least) > width {
         return Vec::new();
     }
-    let whole = widths(names, rows, UnicodeWidthStr::width);
+    let whole = widths(names, rows, |_, cell| cell.width());
     let columns = shared_out(least, &whole, width);
     for row in rows {
         for (cell, columns) in row.iter_mut().zip(&columns) {
@@ -41,10 +46,27 @@ pub(super) fn hold_words_together(
     columns.into_iter().map(|columns| ColumnConstraint::Absolute(Width::Fixed(columns))).collect()
 }
 
+/// Whether a line has room for every word of a table.
+pub(super) fn has_room(names: &[&str], rows: &[Vec<String>], head: &[&str], width: u16) -> bool {
+    sum(&of_words(names, rows, head)) <= width
+}
+
+/// What each column needs for its longest word.
+fn of_words(names: &[&str], rows: &[Vec<String>], head: &[&str]) -> Vec<u16> {
+    widths(names, rows, |index, cell| match is_whole(head, index) {
+        true => cell.width(),
+        false => longest(cell.split_whitespace()),
+    })
+}
+
+fn is_whole(head: &[&str], index: usize) -> bool {
+    head.get(index).is_some_and(|name| name.starts_with('='))
+}
+
 /// What each column needs for its cells, with the gap behind it.
-fn widths(names: &[&str], rows: &[Vec<String>], needs: impl Fn(&str) -> usize) -> Vec<u16> {
+fn widths(names: &[&str], rows: &[Vec<String>], needs: impl Fn(usize, &str) -> usize) -> Vec<u16> {
     let of = |(index, name): (usize, &&str)| {
-        let cells = rows.iter().filter_map(|row| Some(needs(row.get(index)?)));
+        let cells = rows.iter().filter_map(|row| Some(needs(index, row.get(index)?)));
         cells.chain([longest(name.split_whitespace())]).max().unwrap_or(0) as u16 + GAP
     };
     names.iter().enumerate().map(of).collect()

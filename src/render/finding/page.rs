@@ -1,6 +1,6 @@
 //! A page for people, aligned and without borders, one row a line when piped; and what several kinds of findings show alike.
 
-use super::narrow::{GAP, hold_words_together};
+use super::narrow::{GAP, has_room, hold_words_together};
 use crate::outcome::{Bit, Decimal, Fault, Value, Word, numbered};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -49,15 +49,41 @@ impl Page {
         items.iter().map(|item| one(self, item)).collect::<Vec<_>>().join("\n")
     }
 
-    /// A table; columns whose name starts with `>` are aligned to the right. What starts with `@` is no word, but a data set.
+    /// A table in which columns give way, those named first, as long as the line has no room for every word of the others.
+    pub(super) fn yielding(self, head: &[&str], mut rows: Vec<Vec<String>>, gives_way: &[&str]) -> String {
+        let mut head = head.to_vec();
+        for name in gives_way {
+            if self.full || self.has_room(&head, &rows) {
+                break;
+            }
+            if let Some(at) = head.iter().position(|column| column == name) {
+                head.remove(at);
+                rows.iter_mut().filter(|row| at < row.len()).for_each(|row| drop(row.remove(at)));
+            }
+        }
+        self.table(&head, rows)
+    }
+
+    /// Whether a line has room for every word of a table.
+    pub(super) fn has_room(self, head: &[&str], rows: &[Vec<String>]) -> bool {
+        let names: Vec<_> = self.names(head).collect();
+        self.width.is_none_or(|width| has_room(&names, rows, head, width))
+    }
+
+    fn names<'h>(self, head: &'h [&'h str]) -> impl Iterator<Item = &'h str> {
+        let names = head.iter().map(|name| name.trim_start_matches(['>', '=']));
+        names.map(move |name| if name.starts_with('@') { name } else { word(self.lang, name) })
+    }
+
+    /// A table; columns whose name starts with `>` are aligned to the right, those with `=` are never broken. What starts with `@`
+    /// is no word, but a data set.
     pub(super) fn table(self, head: &[&str], rows: Vec<Vec<String>>) -> String {
         if rows.is_empty() {
             return String::new();
         }
         let mut table = Table::new();
         table.load_style(comfy_table::presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled);
-        let names = head.iter().map(|name| name.trim_start_matches('>'));
-        let names: Vec<_> = names.map(|name| if name.starts_with('@') { name } else { self.word(name) }).collect();
+        let names: Vec<_> = self.names(head).collect();
         if names.iter().any(|name| !name.is_empty()) {
             table.set_header(names.clone());
         }
@@ -188,6 +214,14 @@ impl Page {
     pub(super) fn set_bits(self, word: &Word) -> String {
         let set: Vec<_> = word.bits.iter().filter(|bit| bit.set).map(|bit| self.bit(bit)).collect();
         if set.is_empty() { "-".to_owned() } else { set.join(", ") }
+    }
+
+    /// Of names with commas between them the first, and how many others there are; on a full page all.
+    pub(super) fn first_of(self, names: &str) -> String {
+        match names.split_once(", ").filter(|_| !self.full) {
+            Some((first, others)) => format!("{first} +{}", others.split(", ").count()),
+            None => names.to_owned(),
+        }
     }
 
     pub(super) fn bits(self, bits: &Word) -> String {

@@ -30,7 +30,8 @@ impl Page {
                 param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string()),
             ]
         });
-        self.table(&[">param", "slug", "name", "unit", "range", "access", "data sets"], rows.collect())
+        let head = [">param", "=slug", "name", "unit", "=range", "access", "data sets"];
+        self.yielding(&head, rows.collect(), &["data sets", "access", "=range", "unit"])
     }
 
     fn param(self, param: &ParamDoc) -> String {

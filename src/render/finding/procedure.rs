@@ -19,7 +19,8 @@ impl Finding for Procedures {
                 optional,
             ]
         });
-        page.table(&["procedure", "what for", "drives", ">steps", "must be given", "may be given"], rows.collect())
+        let head = ["=procedure", "what for", "drives", ">steps", "must be given", "may be given"];
+        page.yielding(&head, rows.collect(), &[">steps", "drives", "may be given"])
     }
 
     fn rows(&self) -> Rows {

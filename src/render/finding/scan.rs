@@ -34,13 +34,16 @@ impl Page {
                 drive.title.get(self.lang).to_owned(),
                 self.say_or_not(drive.state.as_ref().map(|state| &state.name)),
                 drive.fault.as_ref().map_or_else(|| "-".to_owned(), |fault| self.say(fault)),
-                drive.warnings.as_ref().map_or_else(|| "-".to_owned(), |warnings| self.say(warnings)),
+                drive
+                    .warnings
+                    .as_ref()
+                    .map_or_else(|| "-".to_owned(), |warnings| self.first_of(warnings.get(self.lang))),
             ]);
             let told = drive.evidence.last().filter(|_| self.full);
             row.extend(told.map(|row| format!("{}: {}", self.say(&row.asked), self.say(&row.answered))));
             row
         };
-        let rows = scan.drives.iter().map(row).collect();
+        let mut rows: Vec<_> = scan.drives.iter().map(row).collect();
         let mut head = if shows_port { vec!["port"] } else { Vec::new() };
         if shows_line {
             head.extend(["line", "protocol"]);
@@ -49,6 +52,18 @@ impl Page {
         if self.full {
             head.push("evidence");
         }
-        self.table(&head, rows)
+        // Of a fault its code is enough to look it up; a torn word is not.
+        let (fault, is_full) = (head.iter().position(|name| *name == "fault"), self.full);
+        let kept: Vec<_> = head.iter().filter(|name| **name != "name").copied().collect();
+        let without = |row: &Vec<String>| {
+            let cells = head.iter().zip(row).filter(|(name, _)| **name != "name");
+            cells.map(|(_, cell)| cell.clone()).collect::<Vec<_>>()
+        };
+        if !is_full && !self.has_room(&kept, &rows.iter().map(without).collect::<Vec<_>>()) {
+            for cell in rows.iter_mut().filter_map(|row| row.get_mut(fault?)) {
+                *cell = cell.split(' ').next().unwrap_or_default().to_owned();
+            }
+        }
+        self.yielding(&head, rows, &["name", "protocol"])
     }
 }

@@ -1,6 +1,6 @@
 //! What all forms for people, and CSV, have in common: columns over all drives, and values as text.
 
-use crate::outcome::{Bit, Column, Decimal, Sample, StreamStart, Value};
+use crate::outcome::{Bit, Column, Decimal, Sample, StreamStart, Value, Word};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::words::word;
@@ -75,6 +75,22 @@ pub(in crate::render) fn short(column: &Column, value: Option<&Value>, lang: Lan
     }
 }
 
+/// The first name of the bits that are set, and how many others there are: `Ixt +2`; of anything else what [`long`] says.
+pub(in crate::render) fn first_of(column: &Column, value: &Value, lang: Lang) -> String {
+    let told = long(column, value, lang);
+    match value.word.as_ref().map(|word| bits(word, lang)).unwrap_or_default().split_first() {
+        Some((first, others)) if !others.is_empty() => format!("{first} +{}", others.len()),
+        _ => told,
+    }
+}
+
+/// The names of the bits that are set; the number of one that nobody named.
+pub(in crate::render) fn bits(of: &Word, lang: Lang) -> Vec<String> {
+    let unnamed = |bit: &Bit| format!("{} {}", word(lang, "bit"), bit.bit);
+    let name = |bit: &Bit| bit.name.as_ref().map_or_else(|| unnamed(bit), |name| name.get(lang).to_owned());
+    of.bits.iter().filter(|bit| bit.set).map(name).collect()
+}
+
 /// The names of the bits that are set, or the text of a value, for people.
 pub(in crate::render) fn long(column: &Column, value: &Value, lang: Lang) -> String {
     match (column.role, &value.word) {
@@ -82,14 +98,8 @@ pub(in crate::render) fn long(column: &Column, value: &Value, lang: Lang) -> Str
             status.state.as_ref().map_or_else(String::new, |state| state.name.get(lang).to_owned())
         }
         (Some("fault"), None) if value.raw == Some(0) => word(lang, "none").to_owned(),
-        (_, Some(bits)) if bits.raw == 0 => word(lang, "none").to_owned(),
-        (_, Some(bits)) => {
-            let set = bits.bits.iter().filter(|bit| bit.set);
-            let unnamed = |bit: &Bit| format!("{} {}", word(lang, "bit"), bit.bit);
-            let name = |bit: &Bit| bit.name.as_ref().map_or_else(|| unnamed(bit), |name| name.get(lang).to_owned());
-            let names: Vec<_> = set.map(name).collect();
-            names.join(", ")
-        }
+        (_, Some(word)) if word.raw == 0 => self::word(lang, "none").to_owned(),
+        (_, Some(word)) => bits(word, lang).join(", "),
         (_, None) => value.text.as_ref().map_or_else(String::new, |text| text.get(lang).to_owned()),
     }
 }

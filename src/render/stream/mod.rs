@@ -122,7 +122,7 @@ impl<'a> Stream<'a> {
         let view = if view == View::Live && !live::Terminal::is_there() { View::Lines } else { view };
         let form: Box<dyn Form + 'a> = match view {
             View::Ndjson => Box::new(ndjson::Ndjson::new(Box::new(out), manner.lang)),
-            View::Csv => Box::new(csv::Csv::new(Box::new(out))),
+            View::Csv => Box::new(csv::Csv::new(Box::new(out), manner.lang)),
             View::Influx => Box::new(influx::Influx::new(out)),
             View::OpenMetrics => Box::new(openmetrics::OpenMetrics::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),

@@ -73,7 +73,7 @@ impl Recorder {
         let Some(place) = self.place.take() else { return Ok(()) };
         let out = place()?;
         self.form = Some(match self.view {
-            View::Csv => Box::new(Csv::new(out)),
+            View::Csv => Box::new(Csv::new(out, self.manner.lang)),
             View::Pcap => Box::new(Pcap::new(out)?),
             _ => Box::new(Ndjson::new(out, self.manner.lang)),
         });

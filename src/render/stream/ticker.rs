@@ -1,6 +1,6 @@
 //! One line on a terminal that every sample refreshes.
 
-use super::cells::{Board, GAP, is_number, seconds, short};
+use super::cells::{Board, GAP, first_of, is_number, seconds, short};
 use super::{Form, Manner};
 use crate::outcome::{Decimal, Record, Sample};
 use crate::profile::Lang;
@@ -47,7 +47,11 @@ impl<'a> Ticker<'a> {
             }
             let unit =
                 column.unit.as_ref().filter(|_| is_number(column)).map_or(String::new(), |unit| format!(" {unit}"));
-            let part = format!("{} {}{unit}", self.board.label(column, self.lang), short(column, value, self.lang));
+            let told = match value.filter(|_| ill) {
+                Some(value) if column.role == Some("warnings") => first_of(column, value, self.lang),
+                _ => short(column, value, self.lang),
+            };
+            let part = format!("{} {told}{unit}", self.board.label(column, self.lang));
             if ill { ills.push(part) } else { rest.push(part) }
         }
         let state = format!("{}: {state}", sample.address);

@@ -406,6 +406,7 @@ fn without_a_terminal_a_view_is_refused_before_anything_is_sent() {
         ("sollwert 5Hz --enable --hold --step 1Hz --max 4Hz", 2, "between --min and --max"),
         ("sollwert 5Hz --enable --hold --step 60rpm", 2, "the unit of the setpoint"),
         ("sollwert 5Hz --enable --hold --max 9Hz", 2, "--step"),
+        ("sollwert 5Hz --enable --hold --step 1Hz", 2, "nothing would read a key"),
     ] {
         for lang in ["en", "de"] {
             let output = antrieb(&format!("-v -a 1 --yes --lang {lang} {line}")).on(&bench).exits(exit);
@@ -417,24 +418,24 @@ fn without_a_terminal_a_view_is_refused_before_anything_is_sent() {
 
 #[test]
 fn bounds_are_held_against_the_drive_like_a_setpoint_that_is_typed() {
-    let bench = format!("[[drive]]\nmodel = \"acu\"\n{ACTIVE}\n");
-    let line = "-a 1 --yes sollwert 5Hz --enable --hold --duration 300ms --step 1Hz";
-    let refused = antrieb(&format!("{line} --max 900Hz")).on(&bench).exits(7);
-    assert!(refused.err.contains("P.419"), "{}", refused.err);
+    let line = "sollwert 5Hz --enable --hold --duration 300ms --step 1Hz --view";
+    let ends = |keys: &str, more: &str| {
+        let seen = run(("acu", keys, line), more, &mut |_, _, _| {});
+        let (exit, said) = seen.failure.map_or((0, String::new()), |failure| {
+            let hint = failure.hint.map_or_else(String::new, |hint| hint.en.clone().into_owned());
+            (failure.class.exit(), format!("{} {hint}", failure.message.en))
+        });
+        (exit, said, seen.news)
+    };
+    let (exit, said, _) = ends(ACTIVE, "--max 900Hz");
+    assert!(exit == 7 && said.contains("P.419"), "{exit} {said}");
     // What the drive adds would move the bounds: a step up could turn the shaft the other way.
-    let adding = bench.replace("\"434\" = 2", "\"434\" = 3, \"228\" = -10");
-    assert_ne!(adding, bench);
-    let refused = antrieb(&format!("{line} --max 9Hz")).on(&adding).exits(7);
-    assert!(
-        refused.err.contains("the drive adds -10.00 Hz") && refused.err.contains("--source line"),
-        "{}",
-        refused.err
-    );
-    antrieb(&format!("{line} --max 9Hz --source line")).on(&adding).exits(0);
-    let agreed = antrieb(&format!("{line} --max 9Hz")).on(&bench).exits(0);
-    assert!(
-        agreed.err.contains("the arrows change the setpoint by 1.00 Hz, from 0.00 Hz to 9.00 Hz"),
-        "{}",
-        agreed.err
-    );
+    let adding = ACTIVE.replace("\"434\" = 2", "\"434\" = 3, \"228\" = -10");
+    assert_ne!(adding, ACTIVE);
+    let (exit, said, _) = ends(&adding, "--max 9Hz");
+    assert!(exit == 7 && said.contains("the drive adds -10.00 Hz") && said.contains("--source line"), "{exit} {said}");
+    assert_eq!(ends(&adding, "--max 9Hz --source line").0, 0);
+    let (exit, said, news) = ends(ACTIVE, "--max 9Hz");
+    let keys = news[0].keys.as_ref().unwrap();
+    assert_eq!((exit, keys.step.raw, keys.min.raw, keys.max.raw), (0, 100, 0, 900), "{said}");
 }

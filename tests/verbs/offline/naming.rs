@@ -28,7 +28,13 @@ fn names_of_drives_stand_in_lists() {
     assert_eq!(addresses, [2, 1]);
     let apart = antrieb("-a pump,far read 372").file("antrieb.toml", PLANT).exits(2).err;
     assert!(apart.contains("far is not on the line of the others"), "{apart}");
-    antrieb("-a pump,fen read 372").file("antrieb.toml", PLANT).exits(2);
+    for (typed, meant) in [("pump,fen", "fan"), ("fann", "fan"), ("pmp", "pump")] {
+        let told = antrieb(&format!("-a {typed} read 372")).file("antrieb.toml", PLANT).exits(2).err;
+        assert!(
+            told.contains("one of: fan, far, pump") && told.contains(&format!("did you mean '{meant}'?")),
+            "{told}"
+        );
+    }
 }
 
 #[test]
@@ -59,7 +65,7 @@ fn a_setting_of_the_line_is_told_its_verb() {
 #[test]
 fn an_unknown_unit_is_said_to_be_unknown() {
     let told = antrieb("-p sim -a 1 write 1600=5kW").exits(7).err;
-    assert!(told.contains("the unit of this parameter is unknown"), "{told}");
+    assert!(told.contains("the unit of this parameter is unknown") && told.contains("--catalogue"), "{told}");
 }
 
 #[test]

@@ -109,7 +109,14 @@ const TYPED: &[(&str, &[&str])] = &[
     ("plan", &["plan --config {dir}/plant.toml"]),
     ("apply", &["apply --config {dir}/plant.toml --yes"]),
     ("check", &["check --config {dir}/plant.toml"]),
+    ("simulate", &["simulate -h", "simulate {dir}/lost.toml"]),
+    ("schema", &["schema -h", "schema nothing"]),
+    ("completions", &["completions -h", "completions ksh"]),
+    ("man", &["man -h", "man nothing"]),
 ];
+
+/// Verbs that need no port.
+const ALONE: &[&str] = &["simulate", "schema", "completions", "man"];
 
 /// Files that are there besides.
 const FILES: &[(&str, &str)] = &[
@@ -130,9 +137,10 @@ const FILES: &[(&str, &str)] = &[
 fn screens(lines: &[&str], lang: &str) -> String {
     let mut text = String::new();
     for line in lines {
+        let is_alone = ALONE.iter().any(|verb| line.starts_with(verb));
         let run = antrieb(&format!("{line} --lang {lang}")).columns(80);
         let run = FILES.iter().fold(run, |run, (name, text)| run.file(name, text));
-        let run = if line.contains(" -p ") { run } else { run.on(PLANT) };
+        let run = if is_alone || line.contains(" -p ") { run } else { run.on(PLANT) };
         let output = run.run();
         let place = output.directory().display().to_string();
         // A line that is refreshed shows its last state.
@@ -167,9 +175,8 @@ fn the_screens_in_the_documentation_are_those_of_the_program() {
 }
 
 #[test]
-fn every_verb_that_talks_to_drives_has_its_screens() {
-    let missing: Vec<_> =
-        verbs().filter(|verb| TYPED.iter().all(|row| row.0 != *verb) && *verb != "simulate").collect();
+fn every_verb_has_its_screens() {
+    let missing: Vec<_> = verbs().filter(|verb| TYPED.iter().all(|row| row.0 != *verb)).collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
 
@@ -207,6 +214,48 @@ fn is_known(word: &str, known: &BTreeSet<&str>) -> bool {
     known.iter().any(|one| one.trim_matches(|letter: char| "():;,`".contains(letter)) == bare || is_broken(one))
         || is_folded(bare)
         || bare.contains('@')
+}
+
+#[test]
+fn what_is_typed_again_is_broken_nowhere() {
+    for (line, whole) in [
+        ("params frequency --drive act", "frequency-motorpoti-up"),
+        ("params fixed --drive act", "fixed-frequency-changeover-1"),
+        ("procedure list", "first-contact"),
+        ("procedure list", "resolver-offset"),
+    ] {
+        for lang in ["en", "de"] {
+            let wide = antrieb(&format!("{line} --lang {lang}")).on(PLANT).run().out;
+            let narrow = antrieb(&format!("{line} --lang {lang}")).on(PLANT).columns(80).run().out;
+            assert!(!wide.contains(whole) || narrow.contains(whole), "{line} --lang {lang}: {whole}\n{narrow}");
+            assert!(narrow.lines().all(|row| row.width() <= 80), "{narrow}");
+            let words: BTreeSet<&str> = wide.split_whitespace().collect();
+            let torn: Vec<_> = narrow.split_whitespace().filter(|word| !words.contains(word)).collect();
+            assert!(torn.is_empty(), "{line} --lang {lang}: {torn:?}\n{narrow}");
+        }
+    }
+}
+
+#[test]
+fn the_fault_comes_first_however_many_warnings_there_are() {
+    let worst = "[[drive]]\nmodel = \"acu\"\naddress = 2\nset = { \"412\" = 44 }\n[[drive.event]]\nat = \"0s\"\nfault = \"F0500\"\n\
+                 warning = 0x07FF\n[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+    for lang in ["en", "de"] {
+        let shown = |line: &str| antrieb(&format!("{line} --lang {lang}")).on(worst).columns(80).run().out;
+        let page = shown("diag -a 2");
+        assert!(page.lines().count() <= 23, "{page}");
+        let at = |word: &str| page.find(word).unwrap_or_else(|| panic!("{word}: {page}"));
+        let [fault, state, warnings] =
+            if lang == "en" { ["fault", "state", "warnings"] } else { ["Störung", "Zustand", "Warnungen"] };
+        assert!(at(fault) < at(&format!("\n{state}")) && at(&format!("\n{state}")) < at(warnings), "{page}");
+        assert!(shown("diag -a 2 -v").lines().count() > page.lines().count());
+        for line in ["diag -a 2,3", "scan -a 2-3"] {
+            let page = shown(line);
+            assert!(page.contains(" +10"), "{line}\n{page}");
+            let rows = page.lines().filter(|row| row.trim_start().starts_with(['2', '3']) && !row.contains("P.412"));
+            assert!(rows.count() >= 2 && page.lines().count() < 12, "{line}\n{page}");
+        }
+    }
 }
 
 #[test]

@@ -67,7 +67,7 @@ fn german_errors_are_german() {
     assert!(told.starts_with("Fehler: Adresse: erwartet: 0 bis 247"), "{told}");
     let list = "Nr.;Bezeichnung;Einheit;Typ;Nachkommastellen;Zugriff\nP.372;Drehzahl;1/min;uint;0;rw\n";
     let told = antrieb("--lang de params import {dir}/a.csv").file("a.csv", list).exits(7).err;
-    assert!(told.contains("a.csv:2: Parameter 372 steht schon in built-in active.toml\n"), "{told}");
+    assert!(told.contains("a.csv:2: Parameter 372 steht schon in der eingebauten active.toml\n"), "{told}");
     assert!(told.contains("--replace") && !told.contains("replace = true"), "{told}");
     let held = antrieb("--lang de -a 1 --yes sollwert 25Hz --enable --hold --duration 1s").on(READY).exits(0).err;
     assert!(held.contains("Strg-C") && !held.contains("Ctrl-C"), "{held}");

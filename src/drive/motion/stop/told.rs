@@ -44,6 +44,7 @@ impl Motor<'_, '_> {
                 both!("{way} is not obeyed: {next} in its place", "{way} wird nicht befolgt: stattdessen {next}")
             }
         };
+        self.stops_by(next);
         self.session.tell(Event::Note(text.clone()));
         self.notes.push(text);
         self.has_time_for_a_word();

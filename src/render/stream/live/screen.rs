@@ -4,7 +4,7 @@ use super::past::{Drive, float};
 use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
-use crate::render::stream::cells::{Board, find, is_number, long, number, seconds, short};
+use crate::render::stream::cells::{Board, find, first_of, is_number, long, number, seconds, short};
 use crate::render::words::word;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -26,6 +26,8 @@ pub(super) struct Screen {
     pub(super) gaps: u64,
     pub(super) lost: bool,
     pub(super) note: String,
+    /// When that was said.
+    noted: Decimal,
     /// What was said, as far as it may be shown again.
     pub(super) notes: VecDeque<String>,
     /// Where a run has come to, if this is one.
@@ -33,6 +35,9 @@ pub(super) struct Screen {
     /// The diagnosis stands in place of the chart.
     pub(super) diagnoses: bool,
 }
+
+/// A key that is taken in part is told so before the setpoint is given that it leads to; microseconds.
+const AT_ONCE: i64 = 600_000;
 
 /// Notes that are kept.
 const NOTES: usize = 8;
@@ -55,6 +60,7 @@ impl Screen {
             gaps: 0,
             lost: false,
             note: String::new(),
+            noted: Decimal { raw: 0, decimals: 6 },
             notes: VecDeque::new(),
             run: None,
             diagnoses: false,
@@ -79,8 +85,12 @@ impl Screen {
             Record::Lost(_) => self.lost = true,
             Record::Reopened(_) => self.lost = false,
             Record::Run(news) => {
-                // What was said before belongs to what was then.
-                if self.run.as_ref().is_none_or(|run| run.phase != news.phase) {
+                // What was said before belongs to what was then, and what a key was told to the setpoint that it was told at.
+                let is_new = |run: &RunNews| {
+                    run.phase != news.phase
+                        || run.setpoint != news.setpoint && news.t.raw > self.noted.raw.saturating_add(AT_ONCE)
+                };
+                if self.run.as_ref().is_none_or(is_new) {
                     self.note.clear();
                 }
                 self.run = Some(news.clone());
@@ -94,6 +104,9 @@ impl Screen {
     /// Somebody has something to say.
     pub(super) fn note(&mut self, text: &str) {
         text.clone_into(&mut self.note);
+        self.noted = self.t;
+        // Who leans on a key hears the same again and again.
+        self.notes.retain(|said| said != text);
         self.notes.push_back(text.to_owned());
         self.notes.drain(..self.notes.len().saturating_sub(NOTES));
     }
@@ -198,7 +211,11 @@ impl Screen {
             if brief && !present {
                 continue;
             }
-            let names = if brief { short(column, Some(value), self.lang) } else { long(column, value, self.lang) };
+            let names = match (brief, role) {
+                (true, "fault") => short(column, Some(value), self.lang),
+                (true, _) => first_of(column, value, self.lang),
+                (false, _) => long(column, value, self.lang),
+            };
             let tint = if present { self.tint(color).add_modifier(Modifier::BOLD) } else { Style::new() };
             spans.push(Span::raw(format!("  {}: ", self.word(role))));
             spans.push(Span::styled(clean(&names), tint));

@@ -20,6 +20,7 @@ fn column(param: u32, name: Text, unit: Option<&str>, role: &'static str) -> Col
         unit: unit.map(str::to_owned),
         role: Some(role),
         scaled: true,
+        is_word: false,
     }
 }
 
@@ -230,6 +231,27 @@ fn a_run_shows_where_it_is_and_what_the_keys_do() {
     assert_eq!(drawn(&screen, 80, 24)[23], "", "what was said before is over");
     screen.record(&course("ended"));
     assert_eq!(drawn(&screen, 80, 24)[21], " q ends  d diagnosis");
+}
+
+/// A key at its bound is told so; behind the next one that is taken this is over, and who leans on it hears it once.
+#[test]
+fn what_a_key_was_told_is_over_with_the_next_one() {
+    let mut screen = screen_in(Lang::En, "sollwert", 1, &[Some(0), Some(1_250), Some(2_500)]);
+    screen.record(&course("held"));
+    (0..5).for_each(|_| screen.note("agreed are …"));
+    assert_eq!(screen.notes.len(), 1);
+    let Record::Run(mut news) = course("held") else { unreachable!() };
+    // Two keys at once, the second of which was refused.
+    news.setpoint = Some(Decimal { raw: 3_000, decimals: 2 });
+    news.t = Decimal { raw: screen.t.raw + 300_000, decimals: 6 };
+    screen.record(&Record::Run(news.clone()));
+    let page = drawn(&screen, 80, 24).join("\n");
+    assert!(page.contains("setpoint 30.00 Hz") && page.contains("agreed"), "{page}");
+    news.setpoint = Some(Decimal { raw: 2_450, decimals: 2 });
+    news.t = Decimal { raw: screen.t.raw + 2_000_000, decimals: 6 };
+    screen.record(&Record::Run(news));
+    let page = drawn(&screen, 80, 24).join("\n");
+    assert!(page.contains("setpoint 24.50 Hz") && !page.contains("agreed"), "{page}");
 }
 
 /// The end of a warning may be what matters.
