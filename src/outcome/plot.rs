@@ -87,7 +87,7 @@ pub struct PlotResponse {
 pub struct PlotMark {
     /// When it was.
     pub t: f64,
-    /// `trigger`, `fault`.
+    /// `trigger`, `fault`, `stop`.
     pub kind: &'static str,
     /// What it was.
     pub text: Text,

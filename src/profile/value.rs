@@ -37,6 +37,8 @@ pub enum ValueError {
         text: String,
         /// The least step of the parameter, in its unit.
         step: String,
+        /// The nearest values that it takes, below and above.
+        near: [String; 2],
     },
     /// A point or comma before three digits, which some write between thousands.
     #[error("{}", self.text().en)]
@@ -106,9 +108,10 @@ impl ValueError {
                 "no source tells the decimals of this parameter in {unit}",
                 "keine Quelle nennt die Nachkommastellen dieses Parameters in {unit}"
             ),
-            ValueError::Decimals { text, step } => both!(
-                "'{text}' has more decimals than this parameter: its step is {step}",
-                "'{text}' hat mehr Nachkommastellen als dieser Parameter: seine Schrittweite ist {step}"
+            ValueError::Decimals { text, step, near: [below, above] } => both!(
+                "'{text}' has more decimals than this parameter: its step is {step}, so it takes {below} or {above}",
+                "'{text}' hat mehr Nachkommastellen als dieser Parameter: seine Schrittweite ist {step}, er nimmt also {below} oder \
+                 {above}"
             ),
             ValueError::Thousands { text, fraction, whole } => both!(
                 "'{text}' may mean {fraction} or {whole}: write it without a separator of thousands, and without zeros at its end",
@@ -206,7 +209,12 @@ fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
     let exponent = places - i32::try_from(fraction.len()).map_err(|_| no_number())?;
     let digits = format!("{whole}{fraction}");
     let digits = digits.trim_start_matches('0');
-    let too_fine = || ValueError::Decimals { text: text.to_owned(), step: format_decimal(1, decimals) };
+    let too_fine = |kept: &str| {
+        let less: i64 = kept.parse().unwrap_or(0);
+        let near = if negative { [-less - 1, -less] } else { [less, less.saturating_add(1)] };
+        let shown = |raw: i64| format_decimal(raw, decimals);
+        ValueError::Decimals { text: text.to_owned(), step: shown(1), near: near.map(shown) }
+    };
     let scaled = match usize::try_from(exponent) {
         Ok(zeros) if digits.is_empty() => "0".repeat(zeros.min(1)),
         Ok(zeros) if zeros > 20 => return Err(no_number()),
@@ -216,7 +224,7 @@ fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
             let keep = digits.len().saturating_sub(cut);
             let (kept, dropped) = digits.split_at(keep);
             if dropped.contains(|c| c != '0') {
-                return Err(too_fine());
+                return Err(too_fine(kept));
             }
             kept.to_owned()
         }
@@ -317,8 +325,9 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
     typed(number, param.decimals_or_zero(), power).map_err(|error| match (error, &param.unit) {
-        (ValueError::Decimals { step, .. }, Some(unit)) => {
-            ValueError::Decimals { text: text.to_owned(), step: format!("{step} {unit}") }
+        (ValueError::Decimals { step, near, .. }, Some(unit)) => {
+            let with_unit = |value: String| format!("{value} {unit}");
+            ValueError::Decimals { text: text.to_owned(), step: with_unit(step), near: near.map(with_unit) }
         }
         (error, _) => error,
     })

@@ -65,9 +65,9 @@ pub struct Response {
     pub dead_time_s: Option<f64>,
 }
 
-/// How the actual value follows the setpoint: a response for each change between two markers. `band`: how near to its end the
-/// actual value counts as settled, as a share of its way.
-pub fn responses(setpoint: &Curve, actual: &Curve, (from, to): (f64, f64), band: f64) -> Vec<Response> {
+/// How the actual value follows the setpoint: a response for each change between two markers, until a stop ends it. `band`: how near
+/// to its end the actual value counts as settled, as a share of its way.
+pub fn responses(setpoint: &Curve, actual: &Curve, (from, to): (f64, f64), band: f64, stops: &[f64]) -> Vec<Response> {
     let known = |curve: &Curve| -> Vec<(f64, f64)> {
         let within = curve.points.iter().filter(|(t, _)| (from..=to).contains(t));
         within.filter_map(|(t, value)| Some((*t, (*value)?))).collect()
@@ -75,7 +75,9 @@ pub fn responses(setpoint: &Curve, actual: &Curve, (from, to): (f64, f64), band:
     let (setpoint, actual) = (known(setpoint), known(actual));
     let changes = changes(&setpoint);
     let ends = changes.iter().skip(1).map(|change| change.t).chain([f64::INFINITY]);
-    changes.iter().zip(ends).filter_map(|(change, end)| response(change, &actual, end, band)).collect()
+    let stopped = |t: f64| stops.iter().copied().find(|stop| *stop > t).unwrap_or(f64::INFINITY);
+    let ended = changes.iter().zip(ends).map(|(change, end)| (change, end.min(stopped(change.t))));
+    ended.filter_map(|(change, end)| response(change, &actual, end, band)).collect()
 }
 
 /// A change of a setpoint, all at once or by a ramp.
@@ -102,7 +104,8 @@ fn changes(setpoint: &[(f64, f64)]) -> Vec<Change> {
 }
 
 fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Option<Response> {
-    let start = actual.iter().rfind(|(t, _)| *t < change.t).or(actual.first())?.1;
+    let before = actual.iter().rfind(|(t, _)| *t < change.t);
+    let start = before.or(actual.first())?.1;
     let course: Vec<(f64, f64)> = actual.iter().filter(|(t, _)| *t >= change.t && *t < until).copied().collect();
     let (last, end) = *course.last()?;
     let (way, side) = (end - start, (end - start).signum());
@@ -126,7 +129,9 @@ fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Op
     let beyond = course.iter().map(|(_, value)| (value - end) * side).fold(0.0, f64::max);
     response.overshoot_percent = Some(100.0 * beyond / way.abs());
     response.settling_s = Some(settled - change.t);
-    let passes = |share: f64| crossing(&course, start + share * way, side);
+    // It may have left its beginning before it was seen to.
+    let seen: Vec<(f64, f64)> = before.into_iter().chain(&course).copied().collect();
+    let passes = |share: f64| crossing(&seen, start + share * way, side);
     if let (Some(early), Some(late)) = (passes(0.1), passes(0.9))
         && late > early
     {
@@ -193,7 +198,7 @@ mod tests {
         let setpoint = curve(Part::Setpoint, times().map(|t| (t, Some(if t < 1.0 { 0.0 } else { 20.0 }))));
         let actual =
             curve(Part::Actual, times().map(|t| (t, Some(if t < 1.0 + dead { 0.0 } else { answer(t - 1.0 - dead) }))));
-        let [told] = responses(&setpoint, &actual, (0.0, 20.0), 0.02)[..] else { panic!() };
+        let [told] = responses(&setpoint, &actual, (0.0, 20.0), 0.02, &[])[..] else { panic!() };
         near(told.t, 1.0, step);
         let formula = 100.0 * (-std::f64::consts::PI * damping / (1.0 - damping * damping).sqrt()).exp();
         near(told.overshoot_percent.unwrap(), formula, 0.1);
@@ -209,7 +214,7 @@ mod tests {
         let setpoint =
             curve(Part::Setpoint, times().map(|t| (t, Some(if (2.0..12.0).contains(&t) { 25.0 } else { 0.0 }))));
         let actual = curve(Part::Actual, times().map(|t| (t, Some(ramp(t)))));
-        let [up, down] = responses(&setpoint, &actual, (0.0, 20.0), 0.02)[..] else { panic!() };
+        let [up, down] = responses(&setpoint, &actual, (0.0, 20.0), 0.02, &[])[..] else { panic!() };
         near(up.slope.unwrap(), 5.0, 0.01);
         near(down.slope.unwrap(), -10.0, 0.01);
         near(up.settling_s.unwrap(), 4.9, 0.051);
@@ -219,7 +224,19 @@ mod tests {
             near(told.dead_time_s.unwrap(), 0.0, 0.01);
         }
         // Cut off on its way it has not settled, and nothing is made up.
-        let [cut] = responses(&setpoint, &actual, (0.0, 5.0), 0.02)[..] else { panic!() };
+        let [cut] = responses(&setpoint, &actual, (0.0, 5.0), 0.02, &[])[..] else { panic!() };
         assert_eq!((cut.overshoot_percent, cut.settling_s, cut.slope), (None, None, None));
+        // A stop that the record tells ends it, and what comes behind it counts for nothing.
+        let [held] = responses(
+            &curve(Part::Setpoint, times().map(|t| (t, Some(if t < 2.0 { 0.0 } else { 25.0 })))),
+            &actual,
+            (0.0, 20.0),
+            0.02,
+            &[11.0],
+        )[..] else {
+            panic!()
+        };
+        near(held.slope.unwrap(), 5.0, 0.01);
+        near(held.end, 25.0, 1e-9);
     }
 }

@@ -68,6 +68,8 @@ pub enum MarkKind {
     Trigger,
     /// The drive went into a fault.
     Fault,
+    /// The end of a run: from then on nobody follows a setpoint.
+    Stop,
 }
 
 /// Everything that a picture shows.

@@ -180,12 +180,13 @@ impl<'s> Sheet<'s> {
         }
     }
 
-    /// Triggers and faults, their words each a line lower, so that they do not lie over each other.
+    /// Triggers, faults and stops, their words each a line lower, so that they do not lie over each other.
     fn marks(&self, out: &mut String) {
         for (index, mark) in self.scene.marks.iter().enumerate() {
             let x = self.x(mark.t);
             let style = match mark.kind {
                 MarkKind::Trigger => "stroke=\"#000\" stroke-width=\"1\" stroke-dasharray=\"4 3\"",
+                MarkKind::Stop => "stroke=\"#000\" stroke-width=\"1\"",
                 MarkKind::Fault => "stroke=\"#000\" stroke-width=\"3\"",
             };
             line(out, (x, TOP, x, BOTTOM), style);

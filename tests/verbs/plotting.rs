@@ -87,6 +87,34 @@ fn the_record_of_a_trip_says_what_it_was() {
     assert_eq!(columns, ["left", "left", "right"]);
 }
 
+/// The port is exclusive, so a run is recorded by itself. Its stop ends what is measured; the motor of the bench runs up with 5 Hz/s.
+#[test]
+fn a_run_that_recorded_itself_is_measured_until_its_stop() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 2\nset = { \"412\" = 1, \"434\" = 2 }\n";
+    let line = "-a 2 sollwert 15Hz --enable --hold --duration 6s --yes --format ndjson";
+    let run = antrieb(line).on(bench).exits(0);
+    let plot = antrieb("plot {dir}/run.ndjson --measure").file("run.ndjson", &run.out).json().exits(0);
+    let stop = &plot.data("/marks/0");
+    assert_eq!((&stop["kind"], &stop["text"]), (&json!("stop"), &json!("stop: ramp")));
+    let [told] = &plot.data("/responses").as_array().unwrap()[..] else { panic!("{:#}", plot.value) };
+    assert_eq!((&told["to"], &told["end"]), (&json!(15.0), &json!(15.0)), "{told:#}");
+    let slope = told["slope"].as_f64().unwrap();
+    assert!((slope - 5.0).abs() < 0.1 && told["settling_s"].is_f64() && told["dead_time_s"].is_f64(), "{told:#}");
+    let drawn = antrieb("--lang de plot {dir}/run.ndjson").file("run.ndjson", &run.out).exits(0).out;
+    assert!(drawn.contains("■ Halt"), "{drawn}");
+    // A fault that ends a held run is marked, though no record of its own tells it.
+    let state = |slug: &str, t: f64| {
+        format!(
+            "{{\"type\":\"sample\",\"t\":{t},\"address\":2,\"drive\":\"acu\",\"state\":{{\"slug\":\"{slug}\"}},\"values\":[{{\"t\":{t},\"param\":210,\
+             \"slug\":\"stator-frequency\",\"data_set\":0,\"unit\":\"Hz\",\"value\":{t}}}]}}\n"
+        )
+    };
+    let record = [("operation-enabled", 1.0), ("fault", 2.0), ("fault", 3.0)].map(|(slug, t)| state(slug, t)).concat();
+    let tripped = antrieb("plot {dir}/trip.ndjson").file("trip.ndjson", &record).json().exits(0);
+    assert_eq!(tripped.data("/marks").as_array().unwrap().len(), 1, "{:#}", tripped.value);
+    assert_eq!((tripped.data("/marks/0/kind"), tripped.data("/marks/0/t")), (&json!("fault"), &json!(2.0)));
+}
+
 #[test]
 fn what_is_no_record_or_no_column_is_refused() {
     let plot = |text: &str, options: &str| antrieb(&format!("plot {{dir}}/x {options}")).file("x", text).run();

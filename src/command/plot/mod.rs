@@ -236,13 +236,15 @@ fn followed(scene: &Scene, band: f64) -> Vec<PlotResponse> {
         slope: response.slope.map(rounded),
         dead_time_s: response.dead_time_s.map(rounded),
     };
-    responses(setpoint, actual, (scene.from, scene.to), band).into_iter().map(told).collect()
+    let stops: Vec<f64> = scene.marks.iter().filter(|mark| mark.kind == MarkKind::Stop).map(|mark| mark.t).collect();
+    responses(setpoint, actual, (scene.from, scene.to), band, &stops).into_iter().map(told).collect()
 }
 
 fn told(mark: &crate::scope::Mark) -> PlotMark {
     let kind = match mark.kind {
         MarkKind::Trigger => "trigger",
         MarkKind::Fault => "fault",
+        MarkKind::Stop => "stop",
     };
     PlotMark { t: rounded(mark.t), kind, text: mark.text.clone() }
 }

@@ -54,6 +54,7 @@ pub(super) fn read(path: &Path, registry: &Registry) -> Result<BTreeMap<u8, Trac
         ))
     };
     read.map_err(expected)?;
+    reader.tracks.values_mut().for_each(Track::note_faults);
     reader.tracks.retain(|_, track| !track.rows.is_empty());
     if reader.tracks.is_empty() {
         return Err(wrong(both!("there is no sample in it", "es steht kein Messpunkt darin")));
@@ -105,6 +106,11 @@ impl Reader<'_> {
                 });
                 let told = known.map(|fault| fault.told()).or(told.map(Text::name));
                 self.mark(address()?, record, MarkKind::Fault, told.unwrap_or_else(fault_word))?;
+            }
+            "run" if record["phase"] == "stopping" => {
+                let how = record["stop"].as_str().unwrap_or("-");
+                self.mark(address()?, record, MarkKind::Stop, both!("stop: {how}", "Halt: {how}"))?;
+                self.tracks.entry(address()?).or_default().end_setpoint(record["t"].as_f64()?);
             }
             _ => {}
         }
@@ -173,11 +179,6 @@ impl Reader<'_> {
         let state = slug.map(|slug| (slug.to_owned(), state_name(family.as_deref(), slug, slug)));
         let values = head.iter().zip(row).skip(5).filter(|(key, _)| !["error", "trigger"].contains(&key.as_str()));
         let is_gap = cell("error").is_some_and(is_gap);
-        let is_fault = |slug: &str| slug.starts_with("fault");
-        let before = track.rows.iter().rev().find_map(|row| row.state.as_ref()).map(|state| is_fault(&state.0));
-        if before == Some(false) && slug.is_some_and(is_fault) {
-            track.marks.push(Mark { t, kind: MarkKind::Fault, text: fault_word() });
-        }
         if let Some(trigger) = cell("trigger") {
             track.marks.push(Mark { t, kind: MarkKind::Trigger, text: Text::name(trigger) });
         }
@@ -213,6 +214,30 @@ impl Track {
             self.columns.len() - 1
         });
         &mut self.columns[at]
+    }
+
+    /// From a stop on there is no setpoint that the drive follows, whatever it was told before.
+    fn end_setpoint(&mut self, t: f64) {
+        for column in self.columns.iter_mut().filter(|column| column.part == Part::Setpoint) {
+            column.points.push((t, None));
+        }
+    }
+
+    /// A fault that the states show and that no record of its own tells: a held run ends at it.
+    fn note_faults(&mut self) {
+        let is_fault = |row: &Row| row.state.as_ref().map(|state| state.0.starts_with("fault"));
+        let (mut before, mut since) = (None, 0.0);
+        for row in &self.rows {
+            let now = is_fault(row);
+            let is_told = self.marks.iter().any(|mark| mark.kind == MarkKind::Fault && mark.t >= since);
+            if before == Some(false) && now == Some(true) && !is_told {
+                self.marks.push(Mark { t: row.t, kind: MarkKind::Fault, text: fault_word() });
+            }
+            before = now.or(before);
+            if now == Some(false) {
+                since = row.t;
+            }
+        }
     }
 
     /// From its first moment to its last one.

@@ -13,7 +13,7 @@ use crate::drive::motion::watchdog_raw;
 use crate::drive::{Cell, Inquiry, harmless, job};
 use crate::outcome::{Data, Outcome, Procedure as Told, TelegramDoc};
 use crate::profile::procedure::{Act, Procedure};
-use crate::profile::{Family, Param, Role, Type, value};
+use crate::profile::{DataSets, Family, Param, Role, Sets, Type, value};
 use crate::text::both;
 
 /// What would be done, without opening anything.
@@ -29,6 +29,14 @@ pub(super) fn run(procedure: &Procedure, given: &Given, family: &Family, address
             "a dry run asks no drive: taken for '{drive}'; --drive names another",
             "ein Probelauf fragt keinen Antrieb: angenommen ist '{drive}'; --drive nennt einen anderen",
             drive = family.drive
+        ));
+    }
+    if procedure.steps_of(&family.drive).iter().any(|step| step.act == Act::Offset) {
+        notes.push(both!(
+            "of the search one try is shown, with offset 0 and data set 1; it takes as many as it needs, then one at half of the rated \
+             frequency, and what it finds is written once",
+            "von der Suche ist ein Versuch gezeigt, mit Offset 0 und Datensatz 1; sie macht so viele wie nötig, dann einen mit halber \
+             Bemessungsfrequenz, und was sie findet, wird einmal geschrieben"
         ));
     }
     let told = Told {
@@ -60,7 +68,9 @@ fn telegrams(act: Act, given: &Given, family: &Family, address: u8, settings: &S
         Act::Full => calibration(Point::Full, family),
         Act::Offset => {
             let args = aim::rehearsed(given, family);
-            return args.map_or_else(Vec::new, |args| sollwert::rehearse(&args, family, settings, address));
+            let run = args.map_or_else(Vec::new, |args| sollwert::rehearse(&args, family, settings, address));
+            let first = lows(given, family).into_iter().filter_map(|inquiry| reader.question(address, inquiry));
+            return first.chain(run).collect();
         }
         Act::Direction | Act::Ramp | Act::Stop | Act::Silence => {
             let args = turning::rehearsed(act, given);
@@ -97,6 +107,22 @@ fn resolver(act: Act, given: &Given, family: &Family) -> Vec<Inquiry> {
         }
         _ => vec![read(&params.motor_pairs)],
     }
+}
+
+/// What goes into the RAM of a data set before a try: the limits, and an offset, for which 0 stands.
+fn lows(given: &Given, family: &Family) -> Vec<Inquiry> {
+    let Ok(params) = Params::of(family) else { return Vec::new() };
+    let Ok(aim) = Aim::of(given, &params) else { return Vec::new() };
+    let in_ram = |(param, raw): (&Param, i64)| {
+        let kind = param.kind.unwrap_or(Type::Word);
+        let bits = value::to_wire(raw, family.link.route.carried(kind)).ok()?;
+        let set = if param.sets == Some(Sets::Four) { DataSets::RAM_OFFSET + 1 } else { 0 };
+        Some(Inquiry::Write(Cell { number: param.id, set }, kind, bits))
+    };
+    [(&params.limit, aim.limit), (&params.current, aim.current), (&params.offset, 0)]
+        .into_iter()
+        .filter_map(in_ram)
+        .collect()
 }
 
 fn calibration(point: Point, family: &Family) -> Vec<Inquiry> {

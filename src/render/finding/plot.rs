@@ -72,7 +72,7 @@ impl Page {
         let moment = |kind: &str| -> Vec<(f64, f64)> {
             plot.marks.iter().filter(|mark| mark.kind == kind).map(|mark| (mark.t, high)).collect()
         };
-        let moments = [("trigger", '▼', moment("trigger")), ("fault", '!', moment("fault"))];
+        let moments = [("trigger", '▼'), ("fault", '!'), ("stop", '■')].map(|(kind, sign)| (kind, sign, moment(kind)));
         let gaps: Vec<(f64, f64)> = plot
             .gaps
             .iter()

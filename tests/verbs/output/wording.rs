@@ -90,7 +90,10 @@ fn a_unit_behind_a_blank_is_named() {
         }
     }
     let told = antrieb("-p sim -a 1 --yes write 376=750W").exits(7).err;
-    assert!(told.contains("'750W' has more decimals than this parameter: its step is 0.1 kW"), "{told}");
+    assert!(
+        told.contains("'750W' has more decimals than this parameter: its step is 0.1 kW, so it takes 0.7 kW or 0.8 kW"),
+        "{told}"
+    );
 }
 
 #[test]
