@@ -220,7 +220,7 @@ fn whoever_interrupts_anywhere_leaves_nothing_turning_and_the_limits_as_they_wer
 fn a_dry_run_of_the_search_shows_its_limits_and_its_offset() {
     let line = "-a 1 --drive acu --dry-run -v procedure resolver-offset resolver-pairs=1 current=3.6A";
     let told = antrieb(line).on("[[drive]]\nmodel = \"acu\"\n").json().exits(0);
-    let search = told.data("/steps").as_array().unwrap().iter().find(|step| step["slug"] == "offset").unwrap();
+    let search = told.data("/steps").as_array().unwrap().iter().find(|step| step["step"] == "offset").unwrap();
     let meanings: Vec<_> =
         search["telegrams"].as_array().unwrap().iter().map(|one| one["meaning"].to_string()).collect();
     for (nth, param) in ["P.417", "P.728", "P.382"].iter().enumerate() {
