@@ -223,7 +223,7 @@ fn a_dry_run_of_the_search_shows_its_limits_and_its_offset() {
     let search = told.data("/steps").as_array().unwrap().iter().find(|step| step["step"] == "offset").unwrap();
     let meanings: Vec<_> =
         search["telegrams"].as_array().unwrap().iter().map(|one| one["meaning"].to_string()).collect();
-    for (nth, param) in ["P.417", "P.728", "P.382"].iter().enumerate() {
+    for (nth, param) in ["P.417@5", "P.728@5", "P.382@6"].iter().enumerate() {
         assert!(meanings[nth].contains(param), "{meanings:#?}");
     }
     assert!(told.data("/notes").to_string().contains("with offset 0 and data set 1"), "{:#}", told.value);

@@ -116,7 +116,7 @@ fn lows(given: &Given, family: &Family) -> Vec<Inquiry> {
     let in_ram = |(param, raw): (&Param, i64)| {
         let kind = param.kind.unwrap_or(Type::Word);
         let bits = value::to_wire(raw, family.link.route.carried(kind)).ok()?;
-        let set = if param.sets == Some(Sets::Four) { DataSets::RAM_OFFSET + 1 } else { 0 };
+        let set = DataSets::RAM_OFFSET + u8::from(param.sets == Some(Sets::Four));
         Some(Inquiry::Write(Cell { number: param.id, set }, kind, bits))
     };
     [(&params.limit, aim.limit), (&params.current, aim.current), (&params.offset, 0)]
