@@ -1,7 +1,7 @@
 //! A bus with drives, and its judge: what is on the wire, who hears it, who answers.
 
 use super::judge::{Judge, MasterTelegram, Remark, Sin, Spelt, wrong_format};
-use super::line::disturb::{Disturber, Outgoing};
+use super::line::disturb::{Disturber, Outgoing, Parting};
 use super::line::port::Port;
 use super::line::speech::Spoken;
 use super::line::wire::{Sender, Slot, Wire, fits};
@@ -116,6 +116,13 @@ impl Bench {
         self.heard.make_contiguous().sort_by_key(|heard| heard.0);
         let due = self.heard.partition_point(|heard| heard.0 <= to);
         self.heard.drain(..due).collect()
+    }
+
+    /// Whether the connection to the master was ended since this was asked last, and how: what he had not heard yet is lost.
+    pub fn hangs_up(&mut self) -> Option<Parting> {
+        let parting = self.disturber.hangs_up()?;
+        self.heard.clear();
+        Some(parting)
     }
 
     /// What the judge noted about the master, the first thousand.

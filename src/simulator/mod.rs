@@ -31,6 +31,7 @@ pub use can::bus::Can;
 pub use device::contract::Servo;
 pub use dp::bench::Profibus;
 pub use judge::{Gaps, Remark, Sin};
+pub use line::disturb::Parting;
 pub use served::Served;
 pub use station::Drive;
 pub use totals::{Ignored, Totals};

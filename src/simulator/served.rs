@@ -3,6 +3,7 @@
 use super::bench::Bench;
 use super::can::bus::Can;
 use super::dp::bench::Profibus;
+use super::line::disturb::Parting;
 use crate::protocol::line::LineSetting;
 use crate::tick::{Span, Tick};
 
@@ -22,6 +23,11 @@ pub trait Served {
 
     /// Runs until `to`, inclusive; returns every byte that came to the master since the last call, with its time.
     fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)>;
+
+    /// Whether the connection to the master was ended since this was asked last, and how.
+    fn hangs_up(&mut self) -> Option<Parting> {
+        None
+    }
 
     /// The setting at which a telegram is meant, for a line that carries none.
     fn line_of(&self, bytes: &[u8]) -> Option<LineSetting>;
@@ -51,6 +57,10 @@ impl Served for Bench {
 
     fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)> {
         Bench::advance(self, to)
+    }
+
+    fn hangs_up(&mut self) -> Option<Parting> {
+        Bench::hangs_up(self)
     }
 
     fn line_of(&self, bytes: &[u8]) -> Option<LineSetting> {

@@ -173,7 +173,11 @@ impl Link {
         match &mut self.carrier {
             Carrier::Serial(link) => link.reopen(),
             Carrier::Net(link) => link.reopen().await,
-            Carrier::Tape(_) | Carrier::Sim(_) => Ok(()),
+            Carrier::Tape(_) => Ok(()),
+            Carrier::Sim(link) => {
+                link.reopen();
+                Ok(())
+            }
         }
     }
 

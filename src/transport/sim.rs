@@ -17,6 +17,8 @@ pub(super) struct SimLink {
     pace: Option<Pace>,
     /// Its adapter is out, for a test.
     is_pulled: bool,
+    /// The connection was ended by the other side.
+    hung_up: bool,
 }
 
 /// What stands behind it.
@@ -51,19 +53,34 @@ impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
         let (mut bench, now) = witness::standing().unwrap_or((bench, Tick::ZERO));
         bench.listens(line);
-        SimLink { bus: Bus::Bench(Box::new(bench)), line, now, pace: None, is_pulled: false }
+        SimLink::of(Bus::Bench(Box::new(bench)), line, now)
     }
 
     pub(super) fn profibus(bus: Profibus, line: LineSetting) -> Self {
-        SimLink { bus: Bus::Profibus(Box::new(bus)), line, now: Tick::ZERO, pace: None, is_pulled: false }
+        SimLink::of(Bus::Profibus(Box::new(bus)), line, Tick::ZERO)
     }
 
     pub(super) fn can(bus: Can, line: LineSetting) -> Self {
-        SimLink { bus: Bus::Can(Box::new(bus)), line, now: Tick::ZERO, pace: None, is_pulled: false }
+        SimLink::of(Bus::Can(Box::new(bus)), line, Tick::ZERO)
+    }
+
+    fn of(bus: Bus, line: LineSetting, now: Tick) -> Self {
+        SimLink { bus, line, now, pace: None, is_pulled: false, hung_up: false }
     }
 
     pub(super) fn now(&self) -> Tick {
         self.now
+    }
+
+    /// Connects anew, to a bench that goes on as it does.
+    pub(super) fn reopen(&mut self) {
+        self.hung_up = false;
+    }
+
+    /// An error once the other side has ended the connection.
+    fn is_connected(&mut self) -> Result<(), LinkError> {
+        self.hung_up |= self.bus.served().hangs_up().is_some();
+        if self.hung_up { Err(LinkError::Lost("sim".to_owned())) } else { Ok(()) }
     }
 
     pub(super) fn bench(&mut self) -> Option<&mut Bench> {
@@ -93,6 +110,7 @@ impl SimLink {
 
     pub(super) fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
         witness::holds_adapter(true, &mut self.is_pulled)?;
+        self.is_connected()?;
         self.bus.served().master_sends(self.now, self.line, bytes);
         Ok(())
     }
@@ -101,6 +119,7 @@ impl SimLink {
     /// dropped at any time: the bench stands at the last event that was waited for.
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         witness::holds_adapter(false, &mut self.is_pulled)?;
+        self.is_connected()?;
         loop {
             let next = self.bus.served().next_event().map_or(until, |event| event.min(until)).max(self.now);
             if let Some(pace) = self.pace {
@@ -116,6 +135,7 @@ impl SimLink {
             if !bytes.is_empty() {
                 return Ok(Wake::Bytes(bytes));
             }
+            self.is_connected()?;
             if stuck {
                 // An event that does not go away by advancing must not hang the program.
                 self.now = until;

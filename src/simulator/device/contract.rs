@@ -161,6 +161,9 @@ pub(crate) trait AskedByVabus {
 
     /// What a telegram with a wrong check character gets.
     fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Response<VabusReply>>;
+
+    /// What a write gets that is refused without a cause; `None` is silence.
+    fn refuse(&mut self, own: Address) -> Option<Response<VabusReply>>;
 }
 
 /// A server of SDO, whatever frames carry it.
@@ -261,6 +264,8 @@ pub(crate) enum Action {
     Hand(i64),
     /// So much lies at the analog input, 0.001 V.
     Analog(i64),
+    /// What hangs at the shaft is stronger than the drive: while that feeds the motor it does not become slower.
+    Dragged(bool),
 }
 
 impl Action {
@@ -272,6 +277,7 @@ impl Action {
             Action::StoB(on) => Action::StoB(!on),
             Action::StartRight(on) => Action::StartRight(!on),
             Action::StartLeft(on) => Action::StartLeft(!on),
+            Action::Dragged(on) => Action::Dragged(!on),
             _ => return None,
         })
     }

@@ -52,17 +52,24 @@ pub(crate) struct Shaft {
     ramps: Ramps,
     stage: Stage,
     motor: Motor,
+    /// What hangs at it is stronger than the drive: with a turning field it does not become slower.
+    dragged: bool,
 }
 
 impl Shaft {
     /// A shaft at standstill.
     pub(crate) fn new(at: Tick) -> Self {
-        Shaft { at, speed: 0, goal: 0, ramps: COASTING, stage: Stage::Off, motor: Motor::default() }
+        Shaft { at, speed: 0, goal: 0, ramps: COASTING, stage: Stage::Off, motor: Motor::default(), dragged: false }
     }
 
     /// Motor data or load have changed.
     pub(crate) fn fit(&mut self, motor: Motor) {
         self.motor = motor;
+    }
+
+    /// It is kept from becoming slower, or let go.
+    pub(crate) fn drag(&mut self, on: bool) {
+        self.dragged = on;
     }
 
     /// Powers the motor and leads it to `goal` (0.01 Hz). A coasting shaft is caught at its speed.
@@ -144,8 +151,11 @@ impl Shaft {
         }
     }
 
-    /// When the ramp will have fallen to `limit` (0.01 Hz) on the way to standstill.
+    /// When the ramp will have fallen to `limit` (0.01 Hz) on the way to standstill; never, if it is kept from that.
     pub(crate) fn falls_to(&self, limit: i64) -> Tick {
+        if self.is_kept() && self.speed.abs() > limit.clamp(0, FASTEST) * FINE {
+            return Tick::from_micros(u64::MAX);
+        }
         let (_, slope) = self.leg(self.speed);
         let distance = (self.speed.abs() - limit.clamp(0, FASTEST) * FINE).max(0);
         self.at + Span::from_micros(duration(distance, slope).unsigned_abs())
@@ -173,11 +183,20 @@ impl Shaft {
         Some(self.at + Span::from_micros(time.unsigned_abs()))
     }
 
+    /// Whether it cannot become slower.
+    fn is_kept(&self) -> bool {
+        self.dragged && self.stage == Stage::Field
+    }
+
     /// Where the straight line from `speed` ends, and how steep it is.
     fn leg(&self, speed: i64) -> (i64, i64) {
         let same_way = self.goal.signum() == speed.signum();
         let slowing = speed != 0 && (!same_way || self.goal.abs() < speed.abs());
-        let stop = if slowing && !same_way { 0 } else { self.goal };
+        let stop = match slowing {
+            true if self.is_kept() => speed,
+            true if !same_way => 0,
+            _ => self.goal,
+        };
         let right = if slowing { speed > 0 } else { self.goal > 0 };
         let slope = match (slowing, right) {
             (true, true) => self.ramps.down_right,

@@ -353,19 +353,20 @@ impl BenchFile<'_> {
         if let Some(torque) = &row.torque {
             actions.push(Action::Torque(self.torque(torque)?));
         }
+        actions.extend(row.dragged.map(Action::Dragged));
         actions.extend(self.module_actions(row)?);
         if actions.is_empty() {
             let message = both!(
-                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, exchange_phases, hand or analog",
-                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, exchange_phases, hand oder analog"
+                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, dragged, exchange_phases, hand or analog",
+                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, dragged, exchange_phases, hand oder analog"
             );
             return Err(self.error(table.span(), message));
         }
         let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;
         if let Some(got) = row.lasts.as_ref().filter(|_| actions.iter().any(|action| action.opposite().is_none())) {
             let message = both!(
-                "for goes only with mains, enable, stoa, stob, start_right, start_left",
-                "for gehört nur zu mains, enable, stoa, stob, start_right, start_left"
+                "for goes only with mains, enable, stoa, stob, start_right, start_left, dragged",
+                "for gehört nur zu mains, enable, stoa, stob, start_right, start_left, dragged"
             );
             return Err(self.error(got.span(), message));
         }

@@ -197,6 +197,7 @@ fn node(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulator::device::readings::are_told;
 
     const EXAMPLE: &str = include_str!("../can.toml");
 
@@ -209,11 +210,7 @@ mod tests {
     fn the_example_is_a_bus_and_tells_every_reading() {
         let nodes: Vec<_> = bus(EXAMPLE).unwrap().nodes().collect();
         assert_eq!(nodes, [("acu", Some(5)), ("acu", Some(0))]);
-        for row in Reading::QUESTIONS {
-            let begins = format!("{} = \"{}\"", row.key, row.words[0].0);
-            let told = EXAMPLE.lines().find(|line| line.starts_with(&begins)).unwrap_or_else(|| panic!("{begins}"));
-            assert!(row.words[0].1.is_none() && row.words.iter().all(|word| told.contains(word.0)), "{told}");
-        }
+        are_told::<Reading>(EXAMPLE);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::reader::{BenchFile, quoted};
 use super::tables::DisturbTable;
 use crate::profile::Broken;
 use crate::simulator::line::babble::{Babbler, Pattern};
-use crate::simulator::line::disturb::{Kind, Rule, When};
+use crate::simulator::line::disturb::{Kind, Parting, Rule, When};
 use crate::simulator::line::speech::Spoken;
 use crate::text::both;
 use crate::tick::{Span, Tick};
@@ -67,6 +67,8 @@ impl BenchFile<'_> {
             ("foreign", Kind::Foreign),
             ("exception", Kind::Exception(row.byte.unwrap_or(BUSY))),
             ("twin", Kind::Twin(row.by.as_ref().map_or(TWIN_PAUSE, |_| by))),
+            ("hang-up", Kind::HangsUp(Parting::Closed)),
+            ("reset", Kind::HangsUp(Parting::Reset)),
         ];
         let kind = self.word("kind", &row.kind, &kinds)?;
         if let Some(by) = row

@@ -132,6 +132,7 @@ impl BenchFile<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulator::device::readings::are_told;
 
     const EXAMPLE: &str = include_str!("../profibus.toml");
 
@@ -144,11 +145,7 @@ mod tests {
     fn the_example_is_a_line_and_tells_every_reading() {
         let modules: Vec<_> = line(EXAMPLE).unwrap().modules().collect();
         assert_eq!(modules, [("l200", 3)]);
-        for row in Reading::QUESTIONS {
-            let begins = format!("{} = \"{}\"", row.key, row.words[0].0);
-            let told = EXAMPLE.lines().find(|line| line.starts_with(&begins)).unwrap_or_else(|| panic!("{begins}"));
-            assert!(row.words[0].1.is_none() && row.words.iter().all(|word| told.contains(word.0)), "{told}");
-        }
+        are_told::<Reading>(EXAMPLE);
     }
 
     #[test]

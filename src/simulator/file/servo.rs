@@ -6,7 +6,7 @@ use crate::profile::Broken;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::device::contract::{Action, Fault, NodeSetting};
 use crate::simulator::device::lexium::Lexium;
-use crate::simulator::device::lexium::params::{BAUD_RATES, named};
+use crate::simulator::device::lexium::params::{BAUD_RATES, Row, named};
 use crate::simulator::device::lexium::setup::Setup;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::script::Event;
@@ -49,7 +49,7 @@ impl BenchFile<'_> {
             self.surroundings(servo.get_ref(), &mut setup)?;
         }
         for (key, value) in &row.set {
-            setup.values.push(self.servo_value(key, value)?);
+            setup.values.push(self.servo_value(key, value, Row::is_settable)?);
         }
         for event in &row.event {
             let trigger = self.trigger(event)?;
@@ -124,8 +124,8 @@ impl BenchFile<'_> {
         Ok(())
     }
 
-    /// Address and raw value of a row of `set`.
-    fn servo_value(&self, key: &str, value: &Spanned<Value>) -> Result<(u32, i64), Broken> {
+    /// Address and raw value of a row of `set`, if that one `is_taken` there.
+    fn servo_value(&self, key: &str, value: &Spanned<Value>, is_taken: fn(&Row) -> bool) -> Result<(u32, i64), Broken> {
         let refuse = |why: Text| self.error(value.span(), both!("set \"{key}\": {why}", "set \"{key}\": {why}", why));
         let row = named(key).ok_or_else(|| {
             refuse(both!(
@@ -133,7 +133,7 @@ impl BenchFile<'_> {
                 "diesen Parameter hat ein LXM05 dieses Prüfstands nicht; erwartet wird sein Name oder seine Adresse"
             ))
         })?;
-        if !row.is_settable() {
+        if !is_taken(row) {
             return Err(refuse(both!(
                 "cannot be given; it is what the drive does",
                 "lässt sich nicht vorgeben; es ist, was der Antrieb tut"
@@ -161,6 +161,11 @@ impl BenchFile<'_> {
         if let Some(silent) = &row.silent {
             actions.push(Action::Silent(self.time("silent", silent)?));
         }
+        for (key, value) in &row.set {
+            let (address, raw) = self.servo_value(key, value, Row::is_set_by_others)?;
+            actions.push(Action::Set(address, 0, raw));
+        }
+        actions.extend(row.dragged.map(Action::Dragged));
         actions.extend(row.refuses.map(Action::Refuses));
         actions.extend(row.ignores.map(Action::Ignores));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
@@ -168,12 +173,12 @@ impl BenchFile<'_> {
         let others =
             others || row.stoa.is_some() || row.stob.is_some() || row.torque.is_some() || row.warning.is_some();
         let others = others || row.exchange_phases || row.hand.is_some() || row.analog.is_some();
-        let others = others || row.lasts.is_some() || !row.set.is_empty();
+        let others = others || row.lasts.is_some();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
             let message = both!(
-                "expected fault (with class and qualifier), power_cycle, silent, refuses or ignores, as an LXM05 knows them",
-                "erwartet wird fault (mit class und qualifier), power_cycle, silent, refuses oder ignores, wie ein LXM05 sie kennt"
+                "expected fault (with class and qualifier), set, dragged, power_cycle, silent, refuses or ignores, as an LXM05 knows them",
+                "erwartet wird fault (mit class und qualifier), set, dragged, power_cycle, silent, refuses oder ignores, wie ein LXM05 sie kennt"
             );
             return Err(self.error(table.span(), message));
         }

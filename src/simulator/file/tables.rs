@@ -167,6 +167,7 @@ pub(crate) struct EventTable {
     pub(crate) exchange_phases: bool,
     pub(crate) hand: Option<Spanned<Value>>,
     pub(crate) analog: Option<Spanned<Value>>,
+    pub(crate) dragged: Option<bool>,
 }
 
 #[derive(Deserialize)]

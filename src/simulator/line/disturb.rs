@@ -31,6 +31,17 @@ pub(crate) enum Kind {
     Exception(u8),
     /// A second drive at the address answers too, with other values, so long after the end of the first.
     Twin(Span),
+    /// The device server between ends the connection, and the reply goes nowhere. It takes a new one at once.
+    HangsUp(Parting),
+}
+
+/// How a connection over a network ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parting {
+    /// In order (FIN).
+    Closed,
+    /// At once (RST).
+    Reset,
 }
 
 /// Which reply is hit.
@@ -91,11 +102,18 @@ pub(crate) struct Disturber {
     /// Who speaks on the line unasked.
     pub(crate) babblers: Vec<Babbler>,
     dice: Dice,
+    /// The connection was ended, which nobody was told yet.
+    hung_up: Option<Parting>,
 }
 
 impl Disturber {
     pub(crate) fn new(rules: Vec<Rule>, echo: bool, seed: u64) -> Self {
-        Disturber { rules, echo, babblers: Vec::new(), dice: Dice::new(seed) }
+        Disturber { rules, echo, babblers: Vec::new(), dice: Dice::new(seed), hung_up: None }
+    }
+
+    /// Whether the connection was ended since this was asked last, and how.
+    pub(crate) fn hangs_up(&mut self) -> Option<Parting> {
+        self.hung_up.take()
     }
 
     /// When somebody speaks next unasked.
@@ -156,6 +174,10 @@ impl Disturber {
                 }
                 Kind::Foreign => replace(&mut out, |frame| foreign(reply.spoken, frame)),
                 Kind::Exception(code) => replace(&mut out, |frame| exception(reply.spoken, frame, code)),
+                Kind::HangsUp(parting) => {
+                    out.clear();
+                    self.hung_up = Some(parting);
+                }
                 Kind::Echo(_) => {}
             }
         }

@@ -361,6 +361,9 @@ impl Drive {
         if request.address() == own {
             self.device.heard(now, now, is_select);
             self.script.count(is_select);
+            if self.refused.is_some_and(|place| acked(&request, place).is_some()) {
+                return self.device.vabus()?.refuse(own);
+            }
             if let Some(reply) = self.ignored.and_then(|place| acked(&request, place)) {
                 return Some(Response::plain(reply));
             }

@@ -19,7 +19,7 @@ mod tcp;
 mod tests;
 
 use crate::protocol::line::{LineSetting, Parity};
-use crate::simulator::Served;
+use crate::simulator::{Parting, Served};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use backlog::Backlog;
@@ -172,6 +172,12 @@ impl Server {
             if !due.is_empty() {
                 self.port.write(&due);
             }
+            if let Some(parting) = bench.hangs_up()
+                && self.port.hang_up(parting)
+            {
+                backlog.leave();
+                note(Note::Left);
+            }
             let next = bench.next_event().into_iter().chain(backlog.goes_on()).min();
             let opened = self.opened;
             tokio::select! {
@@ -254,6 +260,15 @@ impl Port {
             #[cfg(unix)]
             Port::Pty(pty) => pty.write(bytes),
             Port::Tcp(tcp) => tcp.write(bytes),
+        }
+    }
+
+    /// Ends the connection of a client, if there is one that can be ended.
+    fn hang_up(&mut self, parting: Parting) -> bool {
+        match self {
+            #[cfg(unix)]
+            Port::Pty(_) => false,
+            Port::Tcp(tcp) => tcp.hang_up(parting),
         }
     }
 

@@ -1,6 +1,7 @@
 //! A raw TCP port with one client at a time.
 
 use super::{CHUNK, Change, ServeError};
+use crate::simulator::Parting;
 use std::io;
 use std::net::SocketAddr;
 use tokio::net::{TcpListener, TcpStream};
@@ -29,6 +30,16 @@ impl Tcp {
             // A lost connection shows when it is read.
             let _ = client.try_write(bytes);
         }
+    }
+
+    /// Ends the connection; whether there was one. The next client may come at once.
+    pub(super) fn hang_up(&mut self, parting: Parting) -> bool {
+        let Some(client) = self.client.take() else { return false };
+        if parting == Parting::Reset {
+            // If that cannot be set it ends in order.
+            let _ = client.set_zero_linger();
+        }
+        true
     }
 
     pub(super) async fn change(&mut self) -> io::Result<Change> {

@@ -69,6 +69,7 @@ impl Device for Drive {
             Action::ExchangePhases => active.rewire(now),
             Action::Hand(speed) => active.hand = speed,
             Action::Analog(volts) => active.analog.applied = volts,
+            Action::Dragged(on) => active.drag(now, on),
             Action::Mains(on) => active.wire(now, |contacts| contacts.mains = on),
             Action::StoA(on) => active.wire(now, |contacts| contacts.sto_a = on),
             Action::StoB(on) => active.wire(now, |contacts| contacts.sto_b = on),
@@ -175,5 +176,9 @@ impl AskedByVabus for Drive {
     fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Response<VabusReply>> {
         let (reply, effect) = self.vabus.garbled(&mut self.active, own, telegram)?;
         Some(Response { reply, effect, goes: Goes::AsItStands })
+    }
+
+    fn refuse(&mut self, own: Address) -> Option<Response<VabusReply>> {
+        self.vabus.refused(&mut self.active, own).map(Response::plain)
     }
 }

@@ -134,6 +134,14 @@ impl Active {
         self.react(now);
     }
 
+    /// What hangs at the shaft keeps it from becoming slower, or lets it go.
+    pub(crate) fn drag(&mut self, now: Tick, on: bool) {
+        self.catch_up(now);
+        let inputs = self.inputs();
+        self.machine.drag(on, &inputs);
+        self.react(now);
+    }
+
     /// Exchanges two phases of the motor.
     pub(crate) fn rewire(&mut self, now: Tick) {
         self.catch_up(now);

@@ -346,6 +346,14 @@ impl Automaton {
         self.phase = Some(Phase { kind, ends: self.shaft.falls_to(inputs.threshold) + inputs.holding });
     }
 
+    /// What hangs at the shaft keeps it from becoming slower, or lets it go: a ramp that is under way ends later, or never.
+    pub(crate) fn drag(&mut self, on: bool, inputs: &Inputs) {
+        self.shaft.drag(on);
+        if let Some(phase) = self.phase.filter(|phase| matches!(phase.kind, Kind::Ramp | Kind::Quick)) {
+            self.slow_down(phase.kind, inputs);
+        }
+    }
+
     /// Goes to a state, with the output stage off in all but "enabled".
     fn leave(&mut self, now: Tick, next: State) {
         self.phase = None;

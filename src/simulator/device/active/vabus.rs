@@ -104,6 +104,12 @@ impl Slave {
         named.then(|| (self.refuse(drive, own, Some(Cause::Check)), Effect::None))
     }
 
+    /// What a write gets that is refused, with P.11 as it is.
+    pub(crate) fn refused(&mut self, drive: &mut Active, own: Address) -> Option<Reply> {
+        let is_silent = self.locked && drive.has(Reading::SilentAfterNak);
+        (!is_silent).then(|| self.refuse(drive, own, None))
+    }
+
     fn refuse(&mut self, drive: &mut Active, address: Address, refusal: Refusal) -> Reply {
         self.locked = true;
         if let Some(cause) = refusal {

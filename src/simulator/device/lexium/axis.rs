@@ -64,6 +64,14 @@ impl Axis {
         self.accelerate_to(0, Ramps { up: COASTING, down: COASTING });
     }
 
+    /// Goes on as `before` the last step, if that has made it slower.
+    pub(crate) fn keep_pace(&mut self, before: Axis) {
+        if self.speed.abs() < before.speed.abs() {
+            *self = before;
+            self.step(before.speed);
+        }
+    }
+
     fn step(&mut self, speed: i64) {
         self.speed = speed;
         self.position = self.position.saturating_add(speed.saturating_mul(STEP));

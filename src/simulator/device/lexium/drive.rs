@@ -26,8 +26,12 @@ impl Device for Lexium {
     }
 
     fn act(&mut self, now: Tick, action: Action) {
-        if let Action::Fault(fault) = action {
-            self.fail(now, fault);
+        self.catch_up(now);
+        match action {
+            Action::Fault(fault) => self.fail(now, fault),
+            Action::Set(address, _, value) => self.set_by_hand(now, address, value),
+            Action::Dragged(on) => self.motion.drag(on),
+            _ => {}
         }
     }
 

@@ -193,6 +193,17 @@ impl Lexium {
         self.readings.has(Reading::Control7Refused) && Command::of(word as u16) == Command::SwitchOn
     }
 
+    /// Somebody else sets a parameter: as a telegram would, but what the drive itself shows of its faults is put there.
+    pub(crate) fn set_by_hand(&mut self, now: Tick, address: u32, value: i64) {
+        let row = u16::try_from(address).ok().and_then(params::at);
+        let Some((row, value)) = row.zip(i32::try_from(value).ok()) else { return };
+        if row.kind == Kind::ReadOnly {
+            self.values.put(row.address, value);
+        } else if self.check(row, value).is_ok() {
+            self.write(now, row, value);
+        }
+    }
+
     fn write(&mut self, now: Tick, row: &Row, value: i32) {
         self.values.write(row, value);
         match row.address {

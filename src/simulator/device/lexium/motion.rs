@@ -83,6 +83,8 @@ pub(crate) struct World {
     pub(crate) waver: i64,
     /// Bit 6 of the control word set means absolute, as manual 5.4.1 words its example.
     pub(crate) bit6_absolute: bool,
+    /// What hangs at the shaft is stronger than the drive: while the output stage is on it does not become slower.
+    pub(crate) dragged: bool,
 }
 
 /// Where a homing is.
@@ -193,6 +195,11 @@ impl Modes {
         u16::from(reached) << 10 | u16::from(special) << 12
     }
 
+    /// What hangs at the shaft keeps it from becoming slower, or lets it go.
+    pub(crate) fn drag(&mut self, on: bool) {
+        self.world.dragged = on;
+    }
+
     /// A mode was written.
     pub(crate) fn want(&mut self, now: Tick, mode: Mode) {
         self.wanted = Some((mode, now + CHANGE));
@@ -240,12 +247,16 @@ impl Modes {
         }
         let ramps = Ramps { up: values.get(params::ACCELERATION), down: values.get(params::DECELERATION) };
         let held = word & HALT != 0 || self.wanted.is_some();
+        let before = self.axis;
         match (power, self.mode) {
             (Power::Off, _) => self.axis.coast(),
             (Power::Ramps, _) => self.axis.accelerate_to(0, ramps),
             (Power::Stops, _) => self.axis.accelerate_to(0, Ramps { up: QUICK_STOP, down: QUICK_STOP }),
             (Power::Drives, Some(mode)) if !held => self.drive(mode, values, ramps),
             (Power::Drives, _) => self.axis.accelerate_to(0, ramps),
+        }
+        if self.world.dragged && power != Power::Off {
+            self.axis.keep_pace(before);
         }
     }
 

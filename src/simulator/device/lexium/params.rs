@@ -118,8 +118,13 @@ impl Row {
     /// Whether a bench file may say what it is at power-on: settings, setpoints, and the fault memory.
     pub(crate) fn is_settable(&self) -> bool {
         let commands = [CONTROL, MODE, JOG, CURRENT_SOURCE, SPEED_SOURCE, GEAR_SOURCE];
+        self.is_set_by_others() && !commands.contains(&self.address)
+    }
+
+    /// Whether somebody else may set it later: the commands as well.
+    pub(crate) fn is_set_by_others(&self) -> bool {
         let memory = [FAULT_NUMBER, FAULT_CLASS, FAULT_TIME, FAULT_QUALIFIER];
-        (self.kind != Kind::ReadOnly && !commands.contains(&self.address)) || memory.contains(&self.address)
+        self.kind != Kind::ReadOnly || memory.contains(&self.address)
     }
 }
 

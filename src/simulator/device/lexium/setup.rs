@@ -32,7 +32,15 @@ impl Default for Setup {
     /// the manual prints only the shape of the revision.
     fn default() -> Self {
         let turns = 5 * USR_PER_TURN;
-        let world = World { limn: -turns, limp: turns, limits: false, guide: 0, waver: 0, bit6_absolute: false };
+        let world = World {
+            limn: -turns,
+            limp: turns,
+            limits: false,
+            guide: 0,
+            waver: 0,
+            bit6_absolute: false,
+            dragged: false,
+        };
         let identity = Identity {
             vendor: "antrieb bench".to_owned(),
             product: "LXM05-SIM".to_owned(),
