@@ -354,7 +354,7 @@ async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, p
             if wanted.mode.zero {
                 motor.refresh(&wanted.param, given).await?;
             }
-            motor.keeps(wanted.promise.as_ref(), &mut course).await
+            motor.keeps(&mut course).await
         })
         .await
 }

@@ -49,6 +49,8 @@ enum Action {
     /// Transition 5.
     Disable(MotionArgs),
     /// Disable voltage: the shaft coasts
+    ///
+    /// Done (0) once the drive is without power: a shaft that turns coasts on, which is told.
     DisableVoltage(MotionArgs),
     /// Quick stop: by the emergency ramps P.424 and P.425
     QuickStop(MotionArgs),

@@ -6,9 +6,10 @@ use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline, target_to_change, terms};
 use crate::args::{Takes, below_zero};
 use crate::drive::job::{self, Job, Step};
+use crate::drive::motion::present;
 use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{Ask, Permit, Writing};
+use crate::gate::{Ask, Hazard, Permit, Writing};
 use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError};
 use crate::profile::{Family, Param, Role, Selector, Type};
@@ -136,7 +137,15 @@ pub(super) async fn permit(
     ask: &mut dyn Ask,
     jobs: &mut [Job],
 ) -> Result<Option<Permit<Writing>>, Failure> {
-    let Some(question) = job::question(jobs, session.own_address()) else { return Ok(None) };
+    let Some(mut question) = job::question(jobs, session.own_address()) else { return Ok(None) };
+    if question.hazards.contains(&Hazard::Motion) && ask.is_there() && ask.takes_time() {
+        for job in jobs.iter_mut().filter(|job| job.target.address != 0) {
+            let family = job.target.family.clone();
+            let is_start = |role| job.steps.iter().any(|step| Some(&step.param) == family.role(role));
+            let starts = is_start("control-word") || is_start("control-mode");
+            question.details.extend(present(session, &mut job.target, starts).await);
+        }
+    }
     let permit = asking::on_line(session, ask, &question).await?;
     if ask.takes_time() {
         job::look_again(session, jobs).await;

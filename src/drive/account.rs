@@ -72,9 +72,10 @@ impl<'a> Account<'a> {
     pub(super) fn tell_twice(&mut self, station: u8) {
         if self.twice.insert(station) {
             let note = both!(
-                "address {station}: every question is answered twice: two drives with one address, or a repeater",
-                "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
-                 Repeater"
+                "address {station}: every question is answered twice: two drives with one address, a repeater, or a drive that \
+                 answers later than --timeout, so that it was asked again",
+                "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, ein Repeater, oder ein \
+                 Antrieb, der später als --timeout antwortet und deshalb noch einmal gefragt wurde"
             );
             (self.observe)(Event::Note(note));
         }

@@ -381,6 +381,11 @@ impl<'a> Session<'a> {
         self.line.borrow().account.is_verbose()
     }
 
+    /// Whether a drive has answered one question in two ways: most likely they are two with one address.
+    pub fn differs(&self, address: u8) -> bool {
+        self.line.borrow().master.differs(address)
+    }
+
     /// Counts of what happened on the line.
     pub fn tally(&self) -> Tally {
         self.line.borrow().master.tally()

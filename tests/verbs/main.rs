@@ -75,6 +75,7 @@ mod motion {
     mod coasting;
     mod copies;
     mod counted;
+    mod events;
     mod first_telegram;
     mod hasty;
     mod held;

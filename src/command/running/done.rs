@@ -1,5 +1,6 @@
 //! What a run leaves behind, before it is judged and reported.
 
+use super::Plan;
 use crate::drive::motion::{Situation, Unseen};
 use crate::text::Text;
 
@@ -14,10 +15,21 @@ pub(super) struct Done {
     pub(super) standing: Option<bool>,
     /// The drive had no power at any look.
     pub(super) idle: bool,
+    /// What was seen last of a shaft that was about to stand as its power went.
+    pub(super) crept: Option<Text>,
     /// Why nothing shows whether a drive stands that was to be stopped.
     pub(super) unseen: Option<Unseen>,
     /// Another stop was given than was asked for: which, and why.
     pub(super) instead: Option<Text>,
+    /// One question was answered in two ways.
+    pub(super) differs: bool,
+}
+
+impl Done {
+    /// Whether what was told of a drive that was to stop may be that of another one with its address.
+    pub(super) fn is_doubled(&self, plan: &Plan<'_>) -> bool {
+        self.differs && plan.aim.is_some()
+    }
 }
 
 /// What the drive said before and afterwards.

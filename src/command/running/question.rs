@@ -28,6 +28,10 @@ pub(super) fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situ
 /// What becomes of the drive when this program ends.
 fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool) -> Text {
     match (plan.args.hold, plan.args.on_exit) {
+        (true, StopArg::Keep) if has_watchdog(plan, before) => both!(
+            "no stop is sent when this program ends (--on-exit keep): it runs on until its watchdog stops it",
+            "endet dieses Programm, wird kein Halt gesendet (--on-exit keep): er läuft, bis sein Watchdog ihn anhält"
+        ),
         (true, StopArg::Keep) => both!(
             "it keeps running when this program ends (--on-exit keep)",
             "er läuft weiter, wenn dieses Programm endet (--on-exit keep)"
@@ -44,6 +48,10 @@ fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool
             stop = stop_name(stop)
         ),
         (false, _) if plan.aim.is_some() => both!("it is to stop", "er soll anhalten"),
+        (false, _) if powers && has_watchdog(plan, before) => both!(
+            "the drive runs on when this program ends, until its watchdog stops it; --hold bounds it",
+            "der Antrieb läuft weiter, wenn dieses Programm endet, bis sein Watchdog ihn anhält; --hold begrenzt es"
+        ),
         (false, _) if powers => both!(
             "the drive KEEPS RUNNING when this program ends; --hold bounds it",
             "der Antrieb LÄUFT WEITER, wenn dieses Programm endet; --hold begrenzt es"
@@ -53,6 +61,11 @@ fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool
             "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es"
         ),
     }
+}
+
+/// Whether the drive's watchdog is on, or will be in this run.
+fn has_watchdog(plan: &Plan<'_>, before: &Situation) -> bool {
+    plan.args.watchdog.is_some() || before.watchdog_s.is_some_and(|seconds| seconds.raw > 0)
 }
 
 /// What the end of a run is whose only hand is on the setpoint.

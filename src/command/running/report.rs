@@ -39,6 +39,7 @@ pub(super) async fn aftermath(
     let done = Done {
         standing,
         idle: motor.is_idle(),
+        crept: motor.crept().filter(|_| standing.is_none()),
         unseen,
         steps: std::mem::take(&mut motor.steps),
         changed: std::mem::take(&mut motor.changes),
@@ -46,6 +47,7 @@ pub(super) async fn aftermath(
         notes: std::mem::take(&mut motor.notes),
         mode: motor.mode.take().map(|mode| mode.slug),
         instead: motor.instead.take(),
+        differs: motor.differs(),
     };
     (done, after)
 }
@@ -73,20 +75,22 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
         notes.push(watchdog_words(family, watchdog_s));
     }
     let failure = verdict::of(plan, family, &seen, &ended, running, &done);
+    // Nothing is told of one drive that may be of another.
+    let is_doubled = failure.is_some() && done.is_doubled(plan);
     let data = Motion {
         address: target.address,
         drive: family.drive.clone(),
         action: plan.action.to_owned(),
         mode: done.mode,
         from: seen.before.as_ref().map(state),
-        to,
+        to: to.filter(|_| !is_doubled),
         steps: done.steps,
         setpoint: done.setpoint,
         changed: done.changed,
         watchdog_s,
         stop: ended.stop,
-        running,
-        standing: done.standing,
+        running: running.filter(|_| !is_doubled),
+        standing: done.standing.filter(|_| !is_doubled),
         idle: done.idle,
         notes,
     };

@@ -22,7 +22,7 @@ pub(super) fn of(
     running: Option<bool>,
     done: &Done,
 ) -> Option<Failure> {
-    match (ended.result.as_ref().err().cloned(), &ended.stop) {
+    let failure = match (ended.result.as_ref().err().cloned(), &ended.stop) {
         (Some(failure), Some(stop)) => {
             let failure = told_whole(failure, fault(plan, seen).map(|code| tripped(family, code)));
             Some(stopped(failure, stop, running, family, done))
@@ -44,7 +44,9 @@ pub(super) fn of(
             .or_else(|| unseen_relief(plan, done))
             .or_else(|| not_standing(plan, family, done.setpoint.as_ref()))
             .or_else(|| not_given_back(plan, &done.changed)),
-    }
+    };
+    // Of two drives only one was told of, whichever it was.
+    if done.is_doubled(plan) { failure.map(|failure| dangerous(failure, family)) } else { failure }
 }
 
 /// Somebody who interrupts has waited for no answer; and behind a line that failed, the drive may say that it tripped.
@@ -102,7 +104,7 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
         true if failure.code == "forbidden.still_turning" => dangerous(failure, family),
         false => dangerous(failure, family),
         // Nothing stops a shaft without power, but whoever stands beside it must know.
-        true if is_unproven(stop) && !done.idle => warned(failure),
+        true if is_unproven(stop) && !done.idle && done.crept.is_none() => warned(failure),
         true => failure,
     }
 }
@@ -157,9 +159,9 @@ fn hinted<const N: usize>(failure: Failure, hints: [Option<Text>; N]) -> Failure
 /// The end came as it was to come, but not the stop.
 fn unproven(stop: &Stop, family: &Family, done: &Done) -> Failure {
     if is_off(stop) && stop.standing.is_none() {
-        let failure = unseen(stop.note.clone());
-        // What nobody gave power here turns by itself, if at all.
-        return if done.idle { failure } else { warned(failure) };
+        let failure = hinted(unseen(stop.note.clone()), [done.instead.clone()]);
+        // What nobody gave power here turns by itself, if at all, and what crept as its power went hardly turns.
+        return if done.idle || done.crept.is_some() { failure } else { warned(failure) };
     }
     let text = match is_off(stop) {
         true => came_of(stop, false),
@@ -188,6 +190,9 @@ fn unseen(why: Option<Text>) -> Failure {
 fn unseen_relief(plan: &Plan<'_>, done: &Done) -> Option<Failure> {
     let seen = done.unseen.as_ref()?;
     let failure = match plan.aim? {
+        Relief::QuickStop | Relief::Disable if done.crept.is_some() => {
+            return Some(hinted(unseen(Some(seen.why.clone())), [done.crept.clone()]));
+        }
         Relief::QuickStop => unseen(Some(seen.why.clone())),
         Relief::Disable if !seen.as_set => unseen(Some(seen.why.clone())),
         Relief::Zero if done.setpoint.as_ref()?.reached.is_none() => {

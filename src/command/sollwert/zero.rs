@@ -3,12 +3,12 @@
 use super::Args;
 use super::wanted::Wanted;
 use crate::command::running::Plan;
-use crate::drive::motion::{Situation, role_raw, working};
+use crate::drive::motion::{Situation, may_turn, role_raw, turns, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::{Family, Mode};
-use crate::text::both;
+use crate::text::{Text, both};
 
 /// Whether a setpoint of zero is all that is given, and it can do nothing else, as far as the words tell: control is not
 /// taken for it.
@@ -83,6 +83,11 @@ pub(super) async fn present_mode(session: &mut Session<'_>, target: &mut Target)
                 "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an: {mode}",
                 mode = mode.text()
             );
+            // Whoever asked for a standstill must know that there is none.
+            let text = match turns(session, target).await? {
+                true => Text::join([&may_turn(), &text], ": "),
+                false => text,
+            };
             Err(Failure::new(Class::Forbidden, "forbidden.mode", text).hint(both!(
                 "`antrieb statemachine quick-stop` stops it",
                 "`antrieb statemachine quick-stop` hält ihn an"

@@ -1,7 +1,9 @@
 //! What stands in a drive from before, and turns the shaft once it is enabled.
 
-use super::look::raw;
+use super::has_power;
+use super::look::{raw, status_word};
 use super::own::{Promise, shown};
+use crate::drive::describe;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
@@ -28,6 +30,24 @@ pub async fn standing(session: &mut Session<'_>, target: &mut Target) -> Result<
         }
     }
     Ok(found)
+}
+
+/// What the drive does now, told before something is written that can move its shaft; nothing where it does not say. `starts`:
+/// what is written may start it, so what it runs at then is told too.
+pub async fn present(session: &mut Session<'_>, target: &mut Target, starts: bool) -> Vec<Text> {
+    let Ok(status) = status_word(session, target).await else { return Vec::new() };
+    let (address, state) = (target.address, describe::state(&target.family, status));
+    let name = state.name;
+    if has_power(&state.slug) == Some(true) {
+        return vec![both!(
+            "address {address}: now in {name}, with power: what is written acts at once",
+            "Adresse {address}: jetzt in {name}, unter Strom: was geschrieben wird, wirkt sofort",
+            name
+        )];
+    }
+    let now = both!("address {address}: now in {name}", "Adresse {address}: jetzt in {name}", name);
+    let runs_at = if starts { runs_at(session, target).await.ok() } else { None };
+    std::iter::once(now).chain(runs_at.into_iter().flat_map(|(told, _)| told)).collect()
 }
 
 /// What the shaft does once it is enabled, in words: what stands there from before and is set to 0 first, and what the

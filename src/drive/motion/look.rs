@@ -177,7 +177,7 @@ pub async fn may_change_mode(
 }
 
 /// Whether the shaft turns now, as far as the drive tells.
-async fn turns(session: &mut Session<'_>, target: &mut Target) -> Result<bool, Failure> {
+pub async fn turns(session: &mut Session<'_>, target: &mut Target) -> Result<bool, Failure> {
     let mut watch = Watch::new(target.family.motion.movement);
     for _ in 0..TURN_LOOKS {
         let Some(raw) = role_raw(session, target, "movement").await? else { return Ok(false) };

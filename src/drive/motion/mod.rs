@@ -7,6 +7,7 @@
 use super::describe;
 mod before;
 mod changes;
+mod held;
 mod lacking;
 mod leave;
 mod look;
@@ -25,11 +26,12 @@ mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
-pub use before::{Standing, own_setpoints, runs_at, standing, upon_enabling};
+pub use before::{Standing, own_setpoints, present, runs_at, standing, upon_enabling};
 pub use changes::would_change;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
-    Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
+    Situation, look, may_change_mode, role_raw, surroundings, turns, watchdog_raw, watchdog_seconds, working,
+    working_raw,
 };
 pub use own::{Course, Own, Promise, demand_as_shown};
 pub use relief::{PROOF, may_turn};
@@ -118,6 +120,10 @@ pub struct Motor<'a, 's> {
     ending: Option<Option<Blind>>,
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
+    /// The drive was enabled as the stop began.
+    had_power: bool,
+    /// The drive has shown the mode that was set.
+    entered: bool,
     lever: Lever,
     /// The drive was seen to obey the control word in this run.
     remote: bool,
@@ -133,6 +139,8 @@ pub struct Motor<'a, 's> {
     still: Option<Option<bool>>,
     /// When the drive answered last.
     heard: Tick,
+    /// The longest time of a held run in which nothing came from it.
+    gap: Span,
     /// When it was last looked at who has control.
     minded: Tick,
     /// Nothing but motion is taken away, which was said at this time: it is given up if nothing proves anything in time.
@@ -213,6 +221,8 @@ impl<'a, 's> Motor<'a, 's> {
             encoder: None,
             ending: None,
             stopping: false,
+            had_power: false,
+            entered: false,
             lever,
             remote: false,
             taken: Taken::default(),
@@ -221,6 +231,7 @@ impl<'a, 's> Motor<'a, 's> {
             shown: None,
             still: None,
             heard: now,
+            gap: Span::ZERO,
             minded: now,
             relieving: None,
             unheard: false,

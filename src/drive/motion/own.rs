@@ -201,14 +201,15 @@ pub struct Course {
 impl Motor<'_, '_> {
     /// Fails if the drive leads the shaft away from its goal because its own settings have changed, or works in another mode. Asks now
     /// and then; that no answer comes is for the look at the state to judge.
-    pub async fn keeps(&mut self, promise: Option<&Promise>, course: &mut Course) -> Result<(), Failure> {
+    pub async fn keeps(&mut self, course: &mut Course) -> Result<(), Failure> {
         let now = self.session.now();
         if course.looked.is_some_and(|looked| now.since(looked) < LOOKS) {
             return Ok(());
         }
         course.looked = Some(now);
         let retries = self.session.set_retries(0);
-        let strayed = match (promise, self.expects) {
+        let promise = self.promise();
+        let strayed = match (promise.as_ref(), self.expects) {
             (Some(promise), Some((_, goal))) => self.strayed(goal, promise, course).await,
             (Some(promise), None) => self.otherwise_now(promise).await,
             (None, _) => self.in_another_mode().await,
@@ -220,8 +221,14 @@ impl Motor<'_, '_> {
 
     /// Holds a run that gives no setpoint of its own, as long as the drive's settings are what was shown.
     pub async fn hold_as_shown(&mut self, duration: Option<Span>) -> Result<(), Failure> {
-        let (promise, mut course) = (self.promises.first().cloned(), Course::default());
-        self.hold(duration, async |motor: &mut Self, _| motor.keeps(promise.as_ref(), &mut course).await).await
+        let mut course = Course::default();
+        self.hold(duration, async |motor: &mut Self, _| motor.keeps(&mut course).await).await
+    }
+
+    /// What was shown of the mode of this run; of one that sets none, of any.
+    fn promise(&self) -> Option<Promise> {
+        let is_of = |promise: &&Promise| self.mode.as_ref().is_none_or(|mode| mode.slug == promise.mode.slug);
+        self.promises.iter().find(is_of).cloned()
     }
 
     async fn in_another_mode(&mut self) -> Result<Option<Failure>, Failure> {

@@ -281,6 +281,11 @@ impl Motor<'_, '_> {
         self.first_word.heard && command.is_some_and(|command| self.first_word.word == Some(command.word))
     }
 
+    /// Whether one question was answered in two ways: most likely by two drives with one address.
+    pub fn differs(&self) -> bool {
+        self.session.differs(self.target.address)
+    }
+
     /// Whether the drive was seen without power at the last look since its stop began.
     pub(super) fn is_off(&self) -> bool {
         let slug = |status| describe::state(&self.target.family, status).slug;

@@ -3,7 +3,6 @@
 use super::before::{Standing, standing};
 use super::look::{raw, working_raw};
 use super::own::shown;
-use super::patience::ROUND;
 use super::shaft::Watch;
 use super::walk::NOT_OBEYED;
 use super::{Lever, Motor};
@@ -16,6 +15,8 @@ use crate::tick::{Span, Tick};
 
 /// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
 const RAMP_BAND: u64 = 10;
+/// How far the actual value may be from its goal and still be there, at least, raw: a motor under load slips.
+const NEAR: u64 = 100;
 /// A setpoint that acts late leaves the bit of the one before standing: so long it must stand that never fell.
 const LAG: Span = Span::from_secs(1);
 /// How often a run looks whether it still has control: somebody else may change that, and the status word does not always
@@ -90,6 +91,7 @@ impl Motor<'_, '_> {
             self.look_on().await?;
             let active = raw(self.session, self.target, shows, 0).await?;
             if active == Some(value) {
+                self.entered = true;
                 return Ok(());
             }
             if wait.is_over(self.session.now()) {
@@ -196,7 +198,8 @@ impl Motor<'_, '_> {
             // The drive's own band may be wide: what its ramp asks for must be what it will run at.
             let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
             self.note_actual(reached, movement);
-            told = if reached && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
+            let is_through = reached && self.is_near(movement);
+            told = if is_through && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
             if told >= looks && (has_fallen || self.session.now().since(fell) >= LAG) {
                 return Ok(());
             }
@@ -206,6 +209,10 @@ impl Motor<'_, '_> {
                 wait.renew(self.session.now());
             }
             if wait.is_over(self.session.now()) {
+                if reached && !is_through {
+                    self.notes_wide_band();
+                    return Ok(());
+                }
                 let text = both!(
                     "the setpoint is not reached and the actual value does not move any more",
                     "der Sollwert wird nicht erreicht und der Istwert bewegt sich nicht mehr"
@@ -236,6 +243,28 @@ impl Motor<'_, '_> {
         Ok(ramp.is_none_or(|ramp| ramp.abs_diff(goal) <= (goal.unsigned_abs() / 500).max(RAMP_BAND)))
     }
 
+    /// Whether the actual value is near what the drive will run at, as far as both are known: its own band may be wide.
+    fn is_near(&self, movement: Option<i64>) -> bool {
+        let family = &self.target.family;
+        let scale = |param: &Param| (param.unit.clone(), param.decimals_or_zero());
+        let given = self.setpoint.as_ref().and_then(|setpoint| family.param(setpoint.param)).map(scale);
+        let is_alike = family.motion.movement == Movement::Speed && family.role("movement").map(scale) == given;
+        let known = self.expects.map(|(_, goal)| goal).zip(movement).filter(|_| is_alike);
+        known.is_none_or(|(goal, raw)| raw.abs_diff(goal) <= (goal.unsigned_abs() / 10).max(NEAR))
+    }
+
+    /// The shaft does not come nearer, and the drive calls that reached.
+    fn notes_wide_band(&mut self) {
+        let family = &self.target.family;
+        let actual = self.setpoint.as_ref().and_then(|setpoint| setpoint.actual).map_or(0, |actual| actual.raw);
+        let actual = family.role("movement").map(|param| shown(param, actual)).unwrap_or_default();
+        self.notes.push(both!(
+            "the drive calls the setpoint reached at {actual}: its own band ({label}) is that wide",
+            "der Antrieb nennt den Sollwert bei {actual} erreicht: so weit ist sein eigenes Band ({label})",
+            label = family.role_label("control-deviation")
+        ));
+    }
+
     /// A position is no actual value of a speed or a current.
     fn note_actual(&mut self, reached: bool, movement: Option<i64>) {
         let shown = self.target.family.role("movement").map(|param| param.decimals_or_zero());
@@ -247,70 +276,9 @@ impl Motor<'_, '_> {
         }
     }
 
-    /// Keeps the run alive for a time, or until something ends it: looks at the state, which also feeds the drive's
-    /// watchdog, and ends with an error if the drive trips or, having been enabled, is so no longer. `each` is called in
-    /// every round; it may be called twice in one, where no valid answer came.
-    pub async fn hold(
-        &mut self,
-        duration: Option<Span>,
-        mut each: impl AsyncFnMut(&mut Self, Span) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
-        // Whoever else talks on the line puts off neither the refresh nor the end.
-        self.session.insist(true);
-        self.tell_held();
-        let begun = self.session.now();
-        self.comes_to("held", duration.map(|duration| begun + duration));
-        // A question that is under way then puts off nothing.
-        self.session.end_at(duration.map(|duration| begun + duration));
-        let held = self.hold_on(begun, duration, &mut each).await;
-        let over = self.session.is_over();
-        self.session.end_at(None);
-        match held {
-            Err(failure) if over && matches!(failure.class, Class::Silence | Class::Garbled) => Ok(()),
-            held => held,
-        }
-    }
-
-    async fn hold_on(
-        &mut self,
-        begun: Tick,
-        duration: Option<Span>,
-        each: &mut impl AsyncFnMut(&mut Self, Span) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
-        let end = duration.map(|duration| begun + duration);
-        let mut looked = begun;
-        loop {
-            let gone = self.session.now().since(begun);
-            if duration.is_some_and(|duration| gone >= duration) {
-                return Ok(());
-            }
-            // Both together are over before the drive's watchdog would be.
-            let last = self.guard.map(|guard| looked + Span::from_micros(guard.as_micros() / 16 * 15));
-            self.session.end_at(end.into_iter().chain(last).min());
-            let given = self.bear(async |motor: &mut Self| each(motor, gone).await).await;
-            self.session.end_at(end);
-            given?;
-            // Neither does a look put off what is given again before the drive's watchdog misses it.
-            let due = self.guard.map(|guard| self.session.now() + Span::from_micros(guard.as_micros() / 2));
-            self.session.end_at(end.into_iter().chain(due).chain(last).min());
-            let seen = self.look_on().await;
-            let now = self.session.now();
-            let patience = self.guard.map_or(Span::ZERO, |guard| Span::from_micros(guard.as_micros() / 4 * 3));
-            let cut = self.session.is_over() && now.since(looked) < patience;
-            self.session.end_at(end);
-            match seen {
-                Err(failure) if cut && matches!(failure.class, Class::Silence | Class::Garbled) => continue,
-                seen => seen?,
-            };
-            looked = self.shown.map_or(now, |(_, at)| at);
-            let gone = now.since(begun);
-            self.spend(self.round(duration, gone), end).await?;
-        }
-    }
-
     /// The status of a drive that runs or is about to; an error if it tripped or, having been enabled, is so no longer:
     /// then the run is over, before the enable comes back and the shaft runs up by itself.
-    async fn look_on(&mut self) -> Result<u32, Failure> {
+    pub(super) async fn look_on(&mut self) -> Result<u32, Failure> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status);
         match state.slug.as_str() {
@@ -419,13 +387,5 @@ impl Motor<'_, '_> {
     pub async fn contacts(&mut self, word: u16) -> Result<(), Failure> {
         self.lever = Lever::Contacts;
         self.write_control(word).await
-    }
-
-    /// The pause before the next round of a run that is held.
-    fn round(&self, duration: Option<Span>, gone: Span) -> Span {
-        let round = self.beat().times(ROUND);
-        // Within a third of the watchdog, with room for the telegrams.
-        let round = self.guard.map_or(round, |guard| round.min(Span::from_micros(guard.as_micros() / 4)));
-        duration.map_or(round, |duration| round.min(duration - gone))
     }
 }

@@ -11,6 +11,7 @@ use crate::tick::{Span, Tick};
 
 mod choice;
 mod told;
+mod unbidden;
 
 pub use choice::StopChoice;
 use told::started_by_others;
@@ -140,6 +141,7 @@ impl Motor<'_, '_> {
             self.tell_stopping(choice);
         }
         self.stopping = true;
+        self.had_power = self.enabled && self.sight.on == Some(true);
         // A drive on its way to operation shows for a while that it is without power.
         self.shown = None;
         self.sight.forget();
@@ -223,7 +225,8 @@ impl Motor<'_, '_> {
                 "der Sollwert ist 0; seine Kontakte oder seine Bedieneinheit halten den Antrieb freigegeben"
             ));
         } else if self.powered || proof.standing == Some(false) {
-            stop.note = coasting(proof.standing);
+            let crept = self.crept().filter(|_| proof.standing.is_none());
+            stop.note = crept.or_else(|| coasting(proof.standing));
             if !stop.acknowledged && proof.standing.is_none() && stop.because != "error" {
                 let why = self.why_unseen().await.why;
                 stop.note = stop.note.map(|note| Text::join([&note, &why], "; "));
@@ -264,10 +267,15 @@ impl Motor<'_, '_> {
             return Some(row.clone());
         }
         self.zero_at_once().await;
-        let shown = self.mode_shown().await;
+        let (told, shown) = self.mode_shown().await;
         self.instead = self.instead.take().or_else(|| left_mode(self.mode.as_ref(), shown.as_ref()));
         self.zeroes = shown.filter(Mode::zero_stops).map(|mode| mode.setpoint);
         let other = row.otherwise.as_ref().filter(|_| self.zeroes.is_none());
+        if other.is_some()
+            && let Some(told) = told
+        {
+            self.instead = self.instead.take().or_else(|| self.shows_no_mode(told));
+        }
         other.map_or(Some(row), |slug| family.motion.stop(slug)).cloned()
     }
 
@@ -286,16 +294,16 @@ impl Motor<'_, '_> {
         self.session.set_retries(retries);
     }
 
-    /// The mode that the drive shows; of a family without modes what was set. Asked once: what needs no mode can stop it
-    /// too.
-    async fn mode_shown(&mut self) -> Option<Mode> {
+    /// What the drive shows of its mode, and which that is; of a family without modes what was set. Asked once: what needs no
+    /// mode can stop it too.
+    async fn mode_shown(&mut self) -> (Option<i64>, Option<Mode>) {
         let family = self.target.family.clone();
-        let Some(shows) = family.role("mode-active") else { return self.mode.clone() };
+        let Some(shows) = family.role("mode-active") else { return (None, self.mode.clone()) };
         let retries = self.session.set_retries(0);
         let value = raw(self.session, self.target, shows, 0).await;
         self.session.set_retries(retries);
-        let value = value.ok().flatten()?;
-        family.modes.iter().find(|mode| mode.value == Some(value)).cloned()
+        let told = value.ok().flatten();
+        (told, family.modes.iter().find(|mode| told.is_some() && mode.value == told).cloned())
     }
 
     /// Sends a stop once and waits for what proves it. `hurry`: the state must do, the shaft is not waited for.
@@ -379,7 +387,9 @@ impl Motor<'_, '_> {
             return self.leave_quick_stop().await;
         }
         // A drive that tripped, or that lies in a state below the goal, has no power either.
-        self.until(STOPPED, row.takes, true).await
+        let state = self.until(STOPPED, row.takes, true).await?;
+        self.notes_lost_power(row, &state);
+        Ok(state)
     }
 
     /// A drive that refuses its control word may still obey its setpoint. Whether its shaft stands then, as far as it tells.

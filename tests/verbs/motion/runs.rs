@@ -48,7 +48,10 @@ fn the_question_of_a_run_says_that_it_goes_on_and_that_nothing_would_stop_it() {
         ("statemachine enable", &[keeps, off][..]),
         ("sollwert 25Hz --enable", &[keeps, off]),
         ("sollwert 25Hz --enable --hold", &[off, "it is stopped when this program ends (ramp)"]),
-        ("sollwert 25Hz --enable --watchdog 2s", &[keeps]),
+        (
+            "sollwert 25Hz --enable --watchdog 2s",
+            &["the drive runs on when this program ends, until its watchdog stops it"],
+        ),
     ] {
         let run = antrieb(&format!("-a 1 {verb}")).on(READY).answered("n").exits(8);
         for text in [keeps, off] {

@@ -11,6 +11,8 @@ pub(in super::super) struct Sight {
     early: bool,
     /// The last look showed movement.
     turns: bool,
+    /// What the last look under power showed of a shaft that turned.
+    last: Option<i64>,
     /// What also tells without power was seen turning: an encoder, or the frequency itself.
     pub(in super::super) free: bool,
     /// It was seen to stand under power.
@@ -38,6 +40,9 @@ impl Sight {
     /// A look at the frequency, or without power at the encoder.
     pub(in super::super) fn frequency(&mut self, raw: i64) {
         self.turns = raw != 0;
+        if self.turns && self.on == Some(true) {
+            self.last = Some(raw);
+        }
         match self.on {
             _ if self.turns => {
                 self.free |= self.on == Some(false);
@@ -64,6 +69,13 @@ impl Sight {
     /// Whether a 0 waits for the look at the state that tells what it is worth.
     pub(in super::super) fn must_look(&self) -> bool {
         (self.zero || self.early) && !self.held
+    }
+
+    /// What was seen last of a shaft that was about to stand as its power went; `None` if it was faster than `most`, or was seen
+    /// to stand, or to turn without power.
+    pub(in super::super) fn crept(&self, most: i64) -> Option<i64> {
+        let last = self.last.filter(|last| last.abs() <= most)?;
+        (self.on == Some(false) && self.standing().is_none()).then_some(last)
     }
 
     /// Whether the frequency is on its way to 0, under power.
@@ -150,6 +162,21 @@ mod tests {
         assert!(!seen(&[ON, Shows(5)]).must_look() && !seen(&[OFF, Shows(0)]).must_look());
         assert!(seen(&[ON, Shows(5)]).falls());
         assert!(!seen(&[ON, Shows(0)]).falls() && !seen(&[OFF, Shows(5)]).falls());
+    }
+
+    #[test]
+    fn a_shaft_that_crept_as_its_power_went_is_told_from_one_that_turned() {
+        for (looks, crept) in [
+            (&[ON, Shows(2_000), ON, Shows(2), OFF, Shows(0)][..], Some(2)),
+            (&[ON, Shows(-2), OFF, Shows(0)], Some(-2)),
+            (&[ON, Shows(2), ON, Shows(51), OFF, Shows(0)], None),
+            (&[ON, Shows(2)], None),
+            (&[ON, Shows(2), ON, Shows(0), ON], None),
+            (&[OFF, Shows(2), Shows(0)], None),
+            (&[OFF, Shows(0)], None),
+        ] {
+            assert_eq!(seen(looks).crept(50), crept);
+        }
     }
 
     #[test]

@@ -1,0 +1,52 @@
+//! Stops that came about in another way than they were given: the drive lost its power, or its mode, meanwhile, or sooner than its
+//! shaft was seen to stand.
+
+use super::super::Motor;
+use super::super::own::shown;
+use crate::outcome::State;
+use crate::profile::StopRow;
+use crate::text::{Text, both};
+
+/// States from which a drive comes up again: no ramp ends there.
+const ANEW: &[&str] = &["not-ready", "switch-on-disabled"];
+
+impl Motor<'_, '_> {
+    /// A drive that had a mode and shows none that there is has restarted: its shaft coasted, whatever went out behind that.
+    pub(super) fn shows_no_mode(&self, told: i64) -> Option<Text> {
+        self.mode.as_ref().filter(|mode| self.entered && mode.zero_stops())?;
+        let family = &self.target.family;
+        if family.modes.iter().any(|mode| mode.value == Some(told)) {
+            return None;
+        }
+        let label = family.role_label("mode-active");
+        Some(both!(
+            "the drive had lost its mode of operation ({label} = {told}), as behind a restart: a quick stop was sent in place of \
+             the ramp, and the shaft may have coasted before",
+            "der Antrieb hatte seine Betriebsart verloren ({label} = {told}), wie nach einem Neustart: gesendet wurde ein \
+             Schnellhalt statt der Rampe, und die Welle lief vorher vielleicht aus"
+        ))
+    }
+
+    /// A ramp that ends in a state out of which a drive comes up again was ended by its power.
+    pub(super) fn notes_lost_power(&mut self, row: &StopRow, state: &State) {
+        let unbidden = self.had_power && row.slug == "ramp" && row.goal != state.slug && ANEW.contains(&&*state.slug);
+        if unbidden && self.instead.is_none() {
+            self.instead = Some(both!(
+                "the drive lost its power during the ramp, so the shaft coasted: it is in '{state}'",
+                "der Antrieb verlor während der Rampe seinen Strom, die Welle lief also aus: er ist in '{state}'",
+                state = state.name
+            ));
+        }
+    }
+
+    /// What was seen last of a shaft that was about to stand as its power went: half a unit at most. Nobody saw it stand.
+    pub fn crept(&self) -> Option<Text> {
+        let param = self.target.family.role("movement")?;
+        let raw = self.sight.crept(10i64.pow(param.decimals_or_zero().into()) / 2)?;
+        let last = shown(param, raw);
+        Some(both!(
+            "last seen at {last}, with power; whether it stands was not seen",
+            "zuletzt mit {last} gesehen, unter Strom; ob sie steht, wurde nicht gesehen"
+        ))
+    }
+}

@@ -1,0 +1,290 @@
+//! What happens to a drive while it is moved, or stopped: somebody else sets its mode, its load is stronger than it, its power goes, the
+//! connection ends. What came of the run is told as it was, and the stop goes out all the same.
+
+use super::rig::{READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
+use crate::run::{Output, antrieb};
+use antrieb::drive::motion::{Motor, StopChoice};
+use antrieb::profile::Registry;
+use antrieb::simulator::Bench;
+use antrieb::tick::{Span, Tick};
+use antrieb::transport::witness;
+use serde_json::json;
+
+/// A line that comes to a bench on which something has gone on for a while.
+fn later(line: &str, text: &str, ms: u64) -> Output {
+    let mut bench = Bench::from_toml("bench.toml", text, &Registry::open(&[]).unwrap()).unwrap();
+    let at = Tick::ZERO + Span::from_millis(ms);
+    bench.advance(at);
+    assert_eq!(bench.totals().turning, 1, "{text}");
+    witness::stands(bench, at);
+    antrieb(line).on(text).run()
+}
+
+/// Shafts that turn, and output stages that feed a motor, once everything has run out.
+fn left() -> (u64, u64) {
+    let (mut bench, at) = witness::left().unwrap();
+    bench.advance(at + Span::from_secs(60));
+    (bench.totals().turning, bench.totals().energised)
+}
+
+/// Somebody else runs a servo: in a mode, with settings, each event a step.
+fn running(mode: i32, settings: &str, rest: &str) -> String {
+    let steps = [
+        format!("DCOMopmode = {mode}"),
+        "DCOMcontrol = 6".to_owned(),
+        "DCOMcontrol = 15".to_owned(),
+        settings.to_owned(),
+    ];
+    let events =
+        steps.iter().zip(1..).map(|(set, at)| format!("[[drive.event]]\nat = \"{at}00ms\"\nset = {{ {set} }}\n"));
+    let keys = "IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000";
+    servo(keys, &format!("servo = {{ guide = 163840 }}\n{}{rest}", events.collect::<String>()))
+}
+
+#[test]
+fn a_shaft_that_gets_no_slower_by_a_quick_stop_loses_its_power_and_what_is_seen_of_it_is_said() {
+    let dragged = "[[drive.event]]\nat = \"7s\"\ndragged = true";
+    let shown = drive(RUNNING, dragged);
+    let blind = drive(&format!("{RUNNING}, \"217\" = 0, \"218\" = 0"), dragged);
+    let moves = running(3, "PVn_target = 600", dragged);
+    let (inverter, servo) = ("01 06 01 9A 00 00", "01 10 1B 02 00 02 04 00 00 00 00");
+    for (line, bench, coast, is_seen) in [
+        ("-b 115200 -v", &shown, inverter, true),
+        ("-b 115200 -v", &blind, inverter, false),
+        ("-v", &moves, servo, true),
+    ] {
+        // A servo coasts by "disable operation", which needs no help.
+        let verbs = if coast == servo { &["quick-stop"][..] } else { &["quick-stop", "disable"] };
+        for verb in verbs {
+            let run = later(&format!("{line} -a 1 statemachine {verb}"), bench, 8_000);
+            let told = format!("{line} {verb}: {}", run.err);
+            assert_eq!(run.exit, 8, "{told}");
+            assert_eq!(run.err.contains("error: THE SHAFT MAY STILL TURN"), !is_seen, "{told}");
+            assert!(run.err.contains("coast"), "{told}");
+            assert!(run.sent().iter().any(|hex| hex.starts_with(coast)), "{told}");
+            assert_eq!(left(), (0, 0), "{told}");
+        }
+    }
+}
+
+#[test]
+fn a_load_that_lets_go_again_lets_the_ramp_go_on() {
+    let bench = drive(RUNNING, "[[drive.event]]\nat = \"8s\"\ndragged = true\nfor = \"1s\"");
+    let run = later("-b 115200 -a 1 statemachine quick-stop", &bench, 8_000);
+    assert_eq!((run.exit, left()), (0, (0, 0)), "{}", run.err);
+}
+
+#[test]
+fn a_connection_that_ends_while_the_other_side_listens_is_made_once_more_for_the_stop() {
+    for (kind, model) in [("hang-up", "acu"), ("reset", "lxm05")] {
+        let bench = |once: usize| {
+            let disturb =
+                if once == 0 { String::new() } else { format!("[[disturb]]\nonce = {once}\nkind = \"{kind}\"\n") };
+            let set = if model == "acu" { "set = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }" } else { "" };
+            format!("[[drive]]\nmodel = \"{model}\"\n{set}\n{disturb}")
+        };
+        let unit = if model == "acu" { "10Hz" } else { "100rpm" };
+        let line = format!("-v -a 1 --yes sollwert {unit} --enable --hold --duration 1s");
+        let sent = antrieb(&line).on(&bench(0)).exits(0).sent();
+        let (mut lost, word) =
+            (0, if model == "acu" { "01 06 01 9A 00 0F" } else { "01 10 1B 02 00 02 04 00 00 00 0F" });
+        let enabled = sent.iter().position(|hex| hex.starts_with(word)).unwrap() + 1;
+        for once in (enabled..sent.len() - 20).step_by(4) {
+            let run = antrieb(&line).on(&bench(once)).json();
+            let told = format!("{model} {once}: {:#} {}", run.value, run.err);
+            assert_eq!(left(), (0, 0), "{told}");
+            assert_eq!(run.data("/stop/acknowledged"), &json!(true), "{told}");
+            // What was lost in the stop was said again, and came to what was promised.
+            assert!([0, 3].contains(&run.exit), "{told}");
+            lost += i32::from(run.exit == 3);
+        }
+        assert!(lost > 2, "{model} {lost}");
+    }
+}
+
+#[test]
+fn another_mode_in_the_run_ends_it_whoever_set_it() {
+    for set in ["DCOMopmode = -2, GEARreference = 1", "DCOMopmode = 1"] {
+        for after in [40, 55, 70] {
+            let bench = servo(
+                "IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000",
+                &format!(
+                    "servo = {{ guide = 163840 }}\nreadings = {{ references_after_mode = \"kept\" }}\n\
+                     [[drive.event]]\nafter_telegrams = {after}\nset = {{ {set} }}\n"
+                ),
+            );
+            let run = antrieb("-a 1 --yes sollwert 300rpm --enable --hold --duration 8s").on(&bench).json();
+            let told = format!("{set} {after}: {:#} {}", run.value, run.err);
+            assert_eq!((run.exit, &run.error()["code"]), (8, &json!("forbidden.otherwise")), "{told}");
+            assert!(run.err.contains("has left the mode"), "{told}");
+            assert_eq!(run.data("/stop/acknowledged"), &json!(true), "{told}");
+            assert_eq!(left(), (0, 0), "{told}");
+        }
+    }
+}
+
+#[test]
+fn a_servo_that_loses_its_power_during_the_ramp_is_not_said_to_have_ramped() {
+    let bench = |after: usize| {
+        let event = format!("[[drive.event]]\nafter_telegrams = {after}\npower_cycle = true\n");
+        servo("RAMPacc = 3000, RAMPdecel = 100", if after == 0 { "" } else { &event })
+    };
+    let line = "-v -a 1 --yes sollwert 300rpm --enable --hold --duration 1s";
+    let sent = antrieb(line).on(&bench(0)).exits(0).sent();
+    // The first zero behind the setpoint is that of the stop.
+    let given = sent.iter().position(|hex| hex.starts_with("01 10 1B 1A 00 02 04 00 00 01 2C")).unwrap();
+    let zero =
+        given + sent[given..].iter().position(|hex| hex.starts_with("01 10 1B 1A 00 02 04 00 00 00 00")).unwrap();
+    for after in [zero + 2, zero + 5, zero + 9, zero + 14] {
+        let run = antrieb(line).on(&bench(after)).json();
+        let told = format!("{after}: {:#} {}", run.value, run.err);
+        assert_eq!((run.exit, left()), (8, (0, 0)), "{told}");
+        assert!(["had lost its mode", "lost its power"].iter().any(|why| told.contains(why)), "{told}");
+    }
+}
+
+#[test]
+fn an_inverter_that_loses_its_power_during_the_ramp_says_so() {
+    let ramps = "ramps = { up_right = 50, down_right = 5, up_left = 50, down_left = 5 }";
+    let bench = drive(READY, &format!("{ramps}\n[[drive.event]]\nat = \"4s\"\npower_cycle = true"));
+    let run = antrieb("-b 115200 -a 1 --yes sollwert 20Hz --enable --hold --duration 2s").on(&bench).json().exits(8);
+    assert!(run.err.contains("lost its power during the ramp"), "{:#} {}", run.value, run.err);
+    assert_eq!(left(), (0, 0));
+}
+
+/// Time that passes without this program, as when it is frozen.
+async fn frozen(motor: &mut Motor<'_, '_>, rounds: &mut u32) -> Result<(), antrieb::failure::Failure> {
+    *rounds += 1;
+    if *rounds == 2 { motor.say_nothing(Span::from_secs(3)).await } else { Ok(()) }
+}
+
+#[test]
+fn an_end_that_comes_late_is_told() {
+    let came = held(&drive(READY, ""), &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+        let mut rounds = 0;
+        motor.walk("operation-enabled").await?;
+        motor
+            .hold(Some(Span::from_secs(2)), async |motor: &mut Motor<'_, '_>, _| frozen(motor, &mut rounds).await)
+            .await
+    });
+    assert!(came.notes.iter().any(|note| note.starts_with("the end came 1.")), "{:#?}", came.notes);
+    let came = held(&drive(READY, ""), &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+        run_at_20_hz(motor, Some(Span::from_secs(2))).await
+    });
+    assert!(!came.notes.iter().any(|note| note.contains("the end came")), "{:#?}", came.notes);
+}
+
+#[test]
+fn a_watchdog_that_acted_meanwhile_is_named_also_where_it_makes_no_fault() {
+    for reading in ["quick-stop", "fault"] {
+        let bench =
+            servo("MBnode_guard = 1000, RAMPacc = 3000", &format!("readings = {{ node_guard = \"{reading}\" }}"));
+        let came = held_of("lxm05", &bench, &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+            let mut rounds = 0;
+            motor.walk("operation-enabled").await?;
+            motor
+                .hold(Some(Span::from_secs(9)), async |motor: &mut Motor<'_, '_>, _| frozen(motor, &mut rounds).await)
+                .await
+        });
+        let failure = came.ended.result.as_ref().unwrap_err();
+        let told = format!("{:?} {:?}", failure.message.en, failure.hint.as_ref().map(|hint| hint.en.clone()));
+        assert!(told.contains("MBnode_guard") && told.contains("nothing came from it for 3"), "{reading}: {told}");
+        assert!(!told.contains("second master"), "{reading}: {told}");
+    }
+}
+
+#[test]
+fn a_setpoint_that_only_the_wide_band_of_the_drive_lets_through_is_said_to_be_that() {
+    let bench = |shows: &str| drive(&format!("{READY}, \"549\" = 20{shows}"), "");
+    let line = "-b 115200 -a 1 --yes sollwert 10Hz --enable --until reached";
+    let run = antrieb(line).on(&bench(", \"210\" = 5")).json().exits(0);
+    let notes = run.data("/notes").to_string();
+    assert!(notes.contains("reached at 5.00 Hz") && notes.contains("P.549"), "{notes}");
+    let run = antrieb(line).on(&bench("")).json().exits(0);
+    assert!(!run.data("/notes").to_string().contains("P.549"), "{}", run.value);
+}
+
+#[test]
+fn a_zero_that_stops_nothing_in_this_mode_says_that_the_shaft_turns() {
+    for (mode, settings) in [(-2, "GEARreference = 1"), (-3, "CURreference = 2, CUR_I_target = 3")] {
+        let run = later("-a 1 sollwert 0", &running(mode, settings, ""), 3_000);
+        assert_eq!(run.exit, 8, "{mode}: {}", run.err);
+        assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{mode}: {}", run.err);
+        assert!(run.err.contains("quick-stop` stops it"), "{mode}: {}", run.err);
+    }
+}
+
+/// A short holding time takes the power before anybody sees the shaft stand: that is no shaft under power.
+#[test]
+fn a_shaft_that_crept_as_its_power_went_is_no_danger() {
+    let ramps = "ramps = { up_right = 50, down_right = 1, up_left = 50, down_left = 1 }";
+    let line = "-b 115200 -a 1 --yes sollwert 3Hz --enable --hold --duration 1s";
+    let blind = format!("{READY}, \"217\" = 0, \"218\" = 0");
+    let run = antrieb(line).on(&drive(&format!("{blind}, \"638\" = 0.4"), ramps)).json().exits(8);
+    let told = format!("{:#} {}", run.value, run.err);
+    assert!(!told.contains("MAY STILL TURN") && told.contains("last seen at 0."), "{told}");
+    // Far from standstill it is one.
+    let run = antrieb(line).on(&drive(&format!("{blind}, \"637\" = 4, \"638\" = 0"), ramps)).json().exits(8);
+    assert!(run.err.contains("MAY STILL TURN"), "{:#} {}", run.value, run.err);
+}
+
+#[test]
+fn beside_a_watchdog_nothing_keeps_running_for_ever() {
+    let question = |rest: &str| {
+        antrieb(&format!("-b 115200 -a 1 sollwert 10Hz --enable {rest}"))
+            .on(&drive(READY, ""))
+            .answered("n")
+            .exits(8)
+            .err
+    };
+    for rest in ["--watchdog 2s", "--watchdog 2s --hold --on-exit keep"] {
+        let asked = question(rest);
+        assert!(asked.contains("until its watchdog stops it") && !asked.contains("KEEPS RUNNING"), "{rest}: {asked}");
+    }
+    assert!(question("").contains("KEEPS RUNNING"));
+}
+
+#[test]
+fn a_write_is_refused_over_vabus_too() {
+    let bench = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\n[[drive.event]]\nat = \"0s\"\nrefuses = 480\n";
+    let run = antrieb("--protocol vabus -a 1 --yes write 480@1=7Hz").on(bench).run();
+    assert_eq!(run.exit, 6, "{}", run.err);
+    let (bench, _) = witness::left().unwrap();
+    assert_ne!(bench.drive(1).unwrap().ram(480, 1), Some(700));
+}
+
+/// What is asked before something is written that moves a shaft says what the drive does now.
+#[test]
+fn a_write_that_can_move_a_shaft_names_the_state_it_meets() {
+    let asked = |line: &str, bench: &str| antrieb(line).on(bench).answered("n").exits(8).err;
+    let told = asked("-b 115200 -a 1 write 484@ram=-20Hz", &drive(RUNNING, ""));
+    assert!(told.contains("now in Operation enabled, with power"), "{told}");
+    let idle = drive(&format!("{READY}, \"484\" = 20"), "");
+    let told = asked("-b 115200 -a 1 write 410=15", &idle);
+    assert!(told.contains("now in Switch-on disabled") && told.contains("20.00 Hz"), "{told}");
+    let quiet = antrieb("-v -b 115200 -a 1 --yes write 480@1=7Hz").on(&idle).exits(0);
+    assert!(!quiet.err.contains("now in"), "{}", quiet.err);
+}
+
+/// Of two drives with one address only one is told of at a time.
+#[test]
+fn where_one_question_was_answered_in_two_ways_a_stop_that_failed_tells_no_state() {
+    let mut two = 0;
+    for mode in [0, 1] {
+        for by in [8, 30] {
+            let set = RUNNING.replace("\"412\" = 1", &format!("\"412\" = {mode}"));
+            let bench = drive(&set, &format!("[[disturb]]\nevery = 1\nkind = \"twin\"\nby = \"{by}ms\"\n"));
+            for verb in ["quick-stop", "disable"] {
+                let run = antrieb(&format!("-b 115200 -a 1 statemachine {verb}")).on(&bench).json();
+                if run.exit == 0 || !run.err.contains("answered in two ways") {
+                    continue;
+                }
+                two += 1;
+                let told = format!("{mode} {by} {verb}: {:#} {}", run.value, run.err);
+                assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{told}");
+                assert!(run.value.pointer("/data/running").is_none_or(serde_json::Value::is_null), "{told}");
+            }
+        }
+    }
+    assert!(two > 0);
+}
