@@ -3,6 +3,7 @@
 use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
 use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, is_several, read_config, wrong_in};
+use super::takes::Takes;
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
 use crate::text::{Text, Wrong, both};
@@ -31,6 +32,16 @@ pub struct Typed {
 impl Typed {
     pub(super) fn new(globals: &Globals, environment: &Environment) -> Self {
         Typed { globals: globals.clone(), environment: environment.clone() }
+    }
+
+    /// Whether an address was typed.
+    pub fn names_address(&self) -> bool {
+        self.globals.address.is_some()
+    }
+
+    /// What was asked for and will not happen in a part of a verb that takes these options.
+    pub fn unkept(&self, takes: Takes, part: &str) -> Option<Failure> {
+        takes.unkept(part, &self.globals)
     }
 }
 

@@ -62,22 +62,35 @@ pub fn settings_of_plant(globals: &Globals, environment: &Environment) -> Result
 pub fn places(settings: &Settings) -> Result<Vec<Place>, Failure> {
     let Typed { globals, environment } = &settings.typed;
     let low = Low::read(globals, environment)?;
-    let (typed, project) = (low.typed_ports()?, project_path(settings));
     let mut places: Vec<Place> = Vec::new();
     for name in low.plant()? {
-        let Some(drive) = low.drive(&name) else { continue };
-        // A port that was typed is for drives of which no file says one.
-        let port = if drive.port.is_none() { typed.clone() } else { Vec::new() };
-        let globals = Globals { address: Some(name.clone()), port, ..globals.clone() };
-        let mut environment = environment.clone();
-        environment.variables.remove("ANTRIEB_PORT");
-        let settings = Settings::resolve(&globals, &environment)?;
-        let files = files_of(&project, &name, &drive.files)?;
-        let (address, product) = (drive.address, drive.product.clone());
-        places.push(Place { name, address, product, files, settings });
+        places.extend(of_drive(settings, &low, &name)?);
     }
-    check_lines(&project, &places)?;
+    check_lines(&project_path(settings), &places)?;
     Ok(places)
+}
+
+/// The drive of this name, if a project file has one.
+///
+/// # Errors
+/// What the file says of it does not do.
+pub fn place(settings: &Settings, name: &str) -> Result<Option<Place>, Failure> {
+    let Typed { globals, environment } = &settings.typed;
+    of_drive(settings, &Low::read(globals, environment)?, name)
+}
+
+fn of_drive(settings: &Settings, low: &Low<'_>, name: &str) -> Result<Option<Place>, Failure> {
+    let Some(drive) = low.drive(name) else { return Ok(None) };
+    let Typed { globals, environment } = &settings.typed;
+    // A port that was typed is for drives of which no file says one.
+    let port = if drive.port.is_none() { low.typed_ports()? } else { Vec::new() };
+    let globals = Globals { address: Some(name.to_owned()), port, ..globals.clone() };
+    let mut environment = environment.clone();
+    environment.variables.remove("ANTRIEB_PORT");
+    let own = Settings::resolve(&globals, &environment)?;
+    let files = files_of(&project_path(settings), name, &drive.files)?;
+    let (address, product) = (drive.address, drive.product.clone());
+    Ok(Some(Place { name: name.to_owned(), address, product, files, settings: own }))
 }
 
 /// The files of a drive, from where the project file stands.

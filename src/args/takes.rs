@@ -66,6 +66,12 @@ impl Takes {
         silent: &["protocol", "catalogue"],
         refused: &[&["parity", "stop_bits", "data_bits", "timeout", "word_order"]],
     };
+    /// Looks at drives and writes to them, or knows of their bus without a line.
+    pub const SYSTEM_BUS: Takes = Takes {
+        first: &["port", "address", "baud", "protocol", "drive", "format", "lang", "dry_run", "yes"],
+        silent: &[],
+        refused: &[],
+    };
     /// Draws what was recorded, without a line.
     pub const DRAWS: Takes = Takes {
         first: &["address", "format", "lang"],
@@ -88,10 +94,20 @@ impl Takes {
     /// The command with these options, as this verb takes them.
     pub fn fit(&self, command: Command) -> Command {
         let verb = command.get_name().to_owned();
+        self.fit_named(command, &verb)
+    }
+
+    /// A part of a verb, with these options in place of those of the verb.
+    pub fn fit_part(&self, part: Command, verb: &str) -> Command {
+        let name = format!("{verb} {}", part.get_name());
+        self.fit_named(part, &name)
+    }
+
+    fn fit_named(&self, command: Command, verb: &str) -> Command {
         let globals = Globals::augment_args(Command::new("globals"));
         let own: Vec<_> = command.get_arguments().map(|arg| arg.get_id().clone()).collect();
         let others = globals.get_arguments().filter(|arg| !own.contains(arg.get_id()));
-        command.args(others.map(|arg| self.arg(arg, &verb)))
+        command.args(others.map(|arg| self.arg(arg, verb)))
     }
 
     fn arg(&self, arg: &Arg, verb: &str) -> Arg {

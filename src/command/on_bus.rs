@@ -1,13 +1,12 @@
 //! What is otherwise where the line is a CAN bus.
 
 use crate::args::Settings;
+use crate::drive::PLACE_ON_BUS;
 use crate::drive::job::{self, Step};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::text::{Text, both};
 
-/// The place of a node on the bus: node, bit rate, the identifiers of SDO1, whether SDO2 is there (EM-RES-03 manual 5.4, 5.5, 5.9.4).
-const PLACE: [u32; 5] = [900, 903, 921, 922, 923];
 /// Largest node of a drive (manual 5.5).
 pub(super) const LAST_NODE: u8 = 63;
 /// What a question ends with that nobody answers.
@@ -30,23 +29,25 @@ pub(super) fn check(settings: &Settings, steps: &[Step]) -> Result<(), Failure> 
     if !settings.is_can() {
         return Ok(());
     }
-    if let Some(step) = steps.iter().find(|step| PLACE.contains(&step.param.id)) {
-        let label = step.param.label();
-        let message = both!(
-            "{label} is a setting of the bus that this goes over, and no source tells when it holds; nothing was sent",
-            "{label} ist eine Einstellung des Busses, über den dies geht, und keine Quelle nennt, ab wann sie gilt; es wurde nichts gesendet"
-        );
-        return Err(Failure::new(Class::Forbidden, "forbidden.own_line", message).with("param", step.param.id).hint(
-            both!(
-                "write it over the serial plug of the drive",
-                "über den seriellen Anschluss des Umrichters schreiben"
-            ),
-        ));
+    if let Some(step) = steps.iter().find(|step| PLACE_ON_BUS.contains(&step.param.id)) {
+        return Err(own_line(&step.param.label()).with("param", step.param.id));
     }
     match steps.iter().find(|step| step.kind.is_none()) {
         Some(step) => Err(job::no_width(&step.param)),
         None => Ok(()),
     }
+}
+
+/// That a parameter would cut our own line.
+pub(super) fn own_line(label: &str) -> Failure {
+    let message = both!(
+        "{label} is a setting of the bus that this goes over, and no source tells when it holds; nothing was sent",
+        "{label} ist eine Einstellung des Busses, über den dies geht, und keine Quelle nennt, ab wann sie gilt; es wurde nichts gesendet"
+    );
+    Failure::new(Class::Forbidden, "forbidden.own_line", message).hint(both!(
+        "write it over the serial plug of the drive",
+        "über den seriellen Anschluss des Umrichters schreiben"
+    ))
 }
 
 /// What to do where a node is silent is another matter than on a serial line.

@@ -33,6 +33,8 @@ pub trait Verb: clap::Args + Debug + 'static {
     const UPPER: Upper = Upper::OFFLINE;
     /// Which of the options of every verb it takes.
     const TAKES: Takes;
+    /// Its parts that take other options.
+    const PARTS: &'static [(&'static str, Takes)] = &[];
     /// Command lines that its help shows, and a test runs. Of what it does, each at least once.
     const EXAMPLES: &'static [&'static str];
     /// What it prints as JSON: `Document<D>` with what it finds, or the lines of its stream.
@@ -141,6 +143,9 @@ pub(super) const fn entry<V: Verb>() -> Entry {
 
 fn command<V: Verb>() -> clap::Command {
     let command = V::TAKES.fit(V::augment_args(clap::Command::new(V::NAME)));
+    let command = V::PARTS
+        .iter()
+        .fold(command, |command, (part, takes)| command.mut_subcommand(part, |part| takes.fit_part(part, V::NAME)));
     let more = command.get_after_long_help().map(ToString::to_string).into_iter().chain(V::UPPER.told());
     let more = more.collect::<Vec<_>>().join("\n\n");
     let command = exemplified(command, &more, V::EXAMPLES);

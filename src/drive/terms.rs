@@ -3,7 +3,7 @@
 use super::{Finding, Session, Target, decode, introduce, recognise};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Evidence, Warning};
-use crate::profile::{Family, Registry, Role};
+use crate::profile::{Family, HazardKind, Param, Registry, Role};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
@@ -55,6 +55,10 @@ pub struct Stated {
     pub refuses: bool,
 }
 
+/// The place of a node on the system bus: node, bit rate, the identifiers of SDO1, whether SDO2 is there (EM-RES-03 manual 5.4, 5.5,
+/// 5.9.4).
+pub const PLACE_ON_BUS: [u32; 5] = [900, 903, 921, 922, 923];
+
 /// A drive, and what told that it is this one.
 #[derive(Debug)]
 pub struct Recognised {
@@ -75,6 +79,16 @@ impl Terms<'_> {
     /// Takes telegrams of this family apart.
     pub fn telegrams<'f>(&self, family: &'f Family) -> decode::Reader<'f> {
         decode::Reader { family: Some(family), ..self.speech }
+    }
+
+    /// A parameter as it is on this line: what sets a node's place on the system bus cuts the line where that goes over the bus, to the
+    /// drive itself or to one behind it, and is a setting like any other where it does not.
+    pub fn on_line(&self, family: &Family, param: &Param) -> Param {
+        let is_on_bus = matches!(self.speech.protocol, Protocol::Sdo(_)) || self.speech.node > 0;
+        let is_place = PLACE_ON_BUS.contains(&param.id);
+        let is_of_bus = is_place && family.group("systembus").is_some_and(|bus| bus.contains(&param.id));
+        let hazard = if is_of_bus { is_on_bus.then_some(HazardKind::Line) } else { param.hazard };
+        Param { hazard, ..param.clone() }
     }
 
     /// The family that somebody said.

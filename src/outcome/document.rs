@@ -1,8 +1,8 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
 use super::{
-    Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Plant, Procedure, Procedures, Read, Record, Stops,
-    Warning, Write,
+    BusLoad, BusPlan, BusShow, Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Plant, PlantCheck,
+    Procedure, Procedures, Read, Record, Stops, Warning, Write,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -127,14 +127,22 @@ pub enum OrRead<D> {
     Plan(Plan),
 }
 
-/// A plan of a system bus, or what PDOs cost it.
+/// What `systembus` finds: a plan, what PDOs cost, what drives are set to, what was compared or written.
 #[derive(Debug, Serialize, JsonSchema)]
 #[serde(untagged)]
-pub enum OrBusLoad<P, L> {
+pub enum OrBus {
     /// A plan.
-    Plan(Box<P>),
+    Plan(Box<BusPlan>),
     /// The load.
-    Load(L),
+    Load(BusLoad),
+    /// What drives are set to.
+    Show(BusShow),
+    /// What drives have and the plan wants.
+    Check(PlantCheck),
+    /// What became of a plan in its drives.
+    Apply(Plant),
+    /// What would be sent.
+    Telegrams(Plan),
 }
 
 /// What became of guided work, or what there is of it.

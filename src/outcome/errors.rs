@@ -48,6 +48,11 @@ fn errors(data: &mut Data) -> Vec<&mut ErrorDoc> {
             })
             .collect()
         }
+        Data::BusShow(found) => {
+            let each = found.drives.iter_mut();
+            each.flat_map(|one| one.error.iter_mut().chain(one.values.iter_mut().filter_map(|row| row.error.as_mut())))
+                .collect()
+        }
         Data::Dataset(found) => of_sets(found).collect(),
         Data::Datasets(found) => found.drives.iter_mut().flat_map(of_sets).collect(),
         _ => Vec::new(),

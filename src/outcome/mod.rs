@@ -23,7 +23,7 @@ mod transfer;
 mod value;
 
 pub use document::{
-    Document, Envelope, OrBusLoad, OrLine, OrListed, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
+    Document, Envelope, OrBus, OrLine, OrListed, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
 };
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
@@ -50,7 +50,8 @@ pub use stream::{
     Waits, WatchedDrive,
 };
 pub use systembus::{
-    BusCharge, BusDrive, BusLink, BusLoad, BusPlan, BusRate, BusReceiver, BusRelation, BusRemark, BusSetting, BusTotal,
+    BusChannel, BusCharge, BusDrive, BusLink, BusLoad, BusNode, BusPlace, BusPlan, BusRate, BusReceiver, BusRelation,
+    BusRemark, BusSetting, BusShow, BusTotal,
 };
 pub use transfer::{
     Dataset, DatasetRow, Datasets, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,
@@ -192,6 +193,8 @@ pub enum Data {
     BusPlan(Box<BusPlan>),
     /// `systembus load`
     BusLoad(BusLoad),
+    /// `systembus show`
+    BusShow(BusShow),
     /// `monitor`, behind its stream
     Monitor(Monitor),
     /// `--dry-run` of a verb that reads

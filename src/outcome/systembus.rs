@@ -1,5 +1,6 @@
-//! What `systembus` planned and computed.
+//! What `systembus` planned, computed and read.
 
+use super::{ErrorDoc, Value};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -190,4 +191,94 @@ pub struct BusRemark {
     pub code: &'static str,
     /// For people.
     pub message: Text,
+}
+
+/// `systembus show`: what the settings of drives come to.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BusShow {
+    /// A row for each drive that was asked.
+    pub drives: Vec<BusNode>,
+}
+
+/// A drive on the system bus; what it did not tell is null.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct BusNode {
+    /// Address that it was asked at.
+    pub address: u8,
+    /// Family: `acu`; `unknown` where nobody answers.
+    pub drive: String,
+    /// P.900: -1 is off the bus, 0 the master.
+    pub node: Option<i64>,
+    /// Bit rate in kBd (P.903).
+    pub rate_kbd: Option<u16>,
+    /// Code of the state that it has on the bus (P.978).
+    pub node_state: Option<i64>,
+    /// What that is.
+    pub node_state_text: Option<Text>,
+    /// Code of how its controller of the bus is (P.979).
+    pub can_state: Option<i64>,
+    /// What that is.
+    pub can_state_text: Option<Text>,
+    /// Identifier of SYNC (P.918).
+    pub sync_identifier: Option<u16>,
+    /// How long SYNC may be missing; 0 is for ever (P.939).
+    pub sync_timeout_ms: Option<u32>,
+    /// How often it sends SYNC if it is the master; 0 is never (P.919).
+    pub sync_every_ms: Option<u32>,
+    /// How long it waits before it starts the others if it is the master (P.904).
+    pub boot_up_delay_ms: Option<u32>,
+    /// What it does when another one trips if it is the master (P.989).
+    pub emergency_reaction: Option<Text>,
+    /// Identifier of questions over SDO1 (P.921).
+    pub rx_sdo1: Option<u16>,
+    /// Identifier of its answers to them (P.922).
+    pub tx_sdo1: Option<u16>,
+    /// Whether SDO2 is there (P.923).
+    pub sdo2: Option<bool>,
+    /// How it counts the functions of its RxPDOs where it shows that: `0-2`; null where nothing tells.
+    pub rx_functions: Option<&'static str>,
+    /// PDOs that it sends.
+    pub sent: Vec<BusChannel>,
+    /// PDOs that it receives.
+    pub received: Vec<BusChannel>,
+    /// Every value as it was read.
+    pub values: Vec<Value>,
+    /// Why it was not asked, or told nothing.
+    pub error: Option<ErrorDoc>,
+}
+
+/// A PDO of a drive.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BusChannel {
+    /// Which of its TxPDOs or RxPDOs, from 1.
+    pub pdo: u8,
+    /// Its identifier.
+    pub identifier: Option<u16>,
+    /// Code of its function.
+    pub code: Option<i64>,
+    /// `off`, `time`, `sync`; null where the code has two meanings.
+    pub function: Option<&'static str>,
+    /// How often it is sent by time, or how long it may be missing; 0 is for ever.
+    pub ms: Option<u32>,
+    /// What fills it, or takes from it, as far as the catalogue knows such parameters.
+    pub places: Vec<BusPlace>,
+}
+
+/// What stands at a place of a PDO.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BusPlace {
+    /// `word1`, `long2` …
+    pub place: String,
+    /// First of its bytes.
+    pub first_byte: u8,
+    /// Last of its bytes.
+    pub last_byte: u8,
+    /// Parameter that puts something there, or takes it.
+    pub param: u32,
+    /// What it is called.
+    pub param_name: Option<Text>,
+    /// Source that it is set to.
+    pub source: u16,
+    /// What that is, where it is known.
+    pub source_name: Option<Text>,
 }

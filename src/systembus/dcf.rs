@@ -5,11 +5,12 @@
 
 use super::ends;
 use super::load::Rate;
-use super::plan::{Drive, EmergencyReaction, Numbering, Plan, Rx, Trigger, Tx};
+use super::plan::{Drive, EmergencyReaction, Plan, Rx, Trigger, Tx};
 use super::settings::{SYNC, Setting, settings};
+use super::standing::Standing;
 use crate::profile::Family;
 use crate::protocol::can::pdo::Place;
-use crate::protocol::can::{Identifier, LAST_DRIVE, PdoNumber, Service};
+use crate::protocol::can::{LAST_DRIVE, PdoNumber, Service};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -166,16 +167,16 @@ impl Device {
         Ok(device)
     }
 
-    fn number(&self, param: u32) -> Option<u32> {
-        self.values.get(&param).and_then(|value| u32::try_from(*value).ok())
+    fn standing(&self) -> Standing<'_> {
+        Standing::new(&self.values)
     }
 
-    /// `None` for 0 too: the predefined connection set.
+    fn number(&self, param: u32) -> Option<u32> {
+        self.standing().number(param)
+    }
+
     fn identifier(&self, param: u32) -> Option<u16> {
-        match Identifier::standard(self.number(param)?)? {
-            Identifier::Standard(number) if number > 0 => Some(number),
-            _ => None,
-        }
+        self.standing().own_identifier(param)
     }
 
     fn rate(&self) -> Result<Rate, Text> {
@@ -195,9 +196,6 @@ impl Device {
             node.and_then(|node| u8::try_from(node).ok()).filter(|node| *node <= LAST_DRIVE).ok_or_else(|| {
                 both!("expected P.900 or NodeID from 0 to 63", "erwartet: P.900 oder NodeID von 0 bis 63")
             })?;
-        let functions: Vec<Option<u32>> =
-            PdoNumber::ALL.iter().map(|pdo| self.number(ends::rx_function(*pdo))).collect();
-        let numbering = functions.contains(&Some(2)).then_some(Numbering::FromOff);
         Ok(Drive {
             name: self.name.clone().unwrap_or_else(|| file.to_owned()),
             node,
@@ -210,7 +208,7 @@ impl Device {
             sdo2: self.number(ends::SDO2).map(|sdo2| sdo2 != 0),
             rx_sdo1: self.identifier(ends::RX_SDO1),
             tx_sdo1: self.identifier(ends::TX_SDO1),
-            numbering,
+            numbering: self.standing().numbering(),
             tx: PdoNumber::ALL.iter().filter_map(|pdo| self.tx(*pdo, node)).collect(),
             rx: PdoNumber::ALL.iter().filter_map(|pdo| self.rx(*pdo, node)).collect(),
         })

@@ -13,6 +13,7 @@ mod plan;
 mod read;
 mod relations;
 mod settings;
+mod standing;
 
 pub use check::{Level, Remark, check};
 pub use dcf::{DcfError, dcf, from_dcf};
@@ -22,6 +23,7 @@ pub use plan::{Drive, EmergencyReaction, Foreign, Numbering, Plan, Rx, Trigger, 
 pub use read::{PlanError, read};
 pub use relations::{Link, Receiver, Relation, links, relations};
 pub use settings::{Setting, settings};
+pub use standing::{Channel, End, Function, Standing};
 
 #[cfg(test)]
 mod tests;

@@ -155,3 +155,13 @@ impl Drive {
         self.tx.iter().any(|tx| tx.trigger == Trigger::Sync) || self.rx.iter().any(|rx| rx.on_sync)
     }
 }
+
+impl Numbering {
+    /// As plans name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Numbering::FromTime => "0-1",
+            Numbering::FromOff => "0-2",
+        }
+    }
+}

@@ -23,6 +23,7 @@ mod reporting;
 mod resolver;
 mod run;
 mod sdo;
+mod system_bus;
 
 /// What a drive holds: parameters and data sets.
 mod parameters {

@@ -262,7 +262,6 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("sniff", &["refused", "partial"], "it asks nobody, and hears what there is"),
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
-    ("systembus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("procedure", &["partial"], "it ends at the first step that is not done"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
@@ -388,6 +387,13 @@ cases! {
     systembus_broken: 1, "systembus plan {dir}/broken.toml";
     systembus_load: 0, "systembus load";
     systembus_sum: 1, "systembus load 50 6 6 6";
+    systembus_show: 0, "-a 2 systembus show";
+    systembus_silence: 4, "-a 7 systembus show";
+    systembus_refused: 6, "-a 1 systembus show";
+    systembus_partial: 9, "-a 2,7 systembus show";
+    systembus_check: 1, "systembus check {dir}/bus.toml drive-1=2";
+    systembus_apply: 8, "--yes systembus apply {dir}/bus.toml drive-1=2";
+    systembus_apply_dry: 0, "--dry-run systembus apply {dir}/bus.toml drive-1=2";
 
     decode_fine: 0, "decode fault F0500";
     decode_telegram: 0, "decode telegram 01 65 21 77 00 00 03 E8 46 C5";
@@ -468,6 +474,7 @@ cuts! {
     init_interrupted: 40, 130, "init {dir}/new.toml";
     plan_interrupted: 8, 130, "--config {dir}/plant.toml plan";
     apply_interrupted: 40, 130, "--config {dir}/plant.toml -a @line --yes apply";
+    systembus_interrupted: 12, 130, "-a 2 systembus show";
     check_interrupted: 8, 130, "--config {dir}/plant.toml check";
     diag_interrupted: 8, 130, "-a 1,2 diag";
     report_interrupted: 60, 130, "-a 1,2 report";

@@ -6,7 +6,7 @@ use super::save::ADDRESS;
 use crate::args::{Place, called};
 use crate::command::Context;
 use crate::command::plant::apply;
-use crate::command::plant::lines::Wanted;
+use crate::command::plant::lines::{Said, Wanted};
 use crate::drive::transaction::UndoPlace;
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
@@ -44,7 +44,7 @@ fn of_drive(args: &LoadArgs, context: &Context<'_>, address: u8, name: String) -
         (None, first) => UndoPlace::Beside(beside(first.map(PathBuf::as_path).unwrap_or(Path::new("")), address)),
     };
     let place = Place { name, address, product: None, files, settings: settings.clone() };
-    Ok(Wanted { place, project: None, opened, steps, left_out, undo })
+    Ok(Wanted { place, said: Said::Typed, opened, steps, left_out, undo, unsettled: None })
 }
 
 /// The file of the drive at an address.

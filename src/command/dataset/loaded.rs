@@ -208,7 +208,8 @@ pub(in crate::command) fn describe_steps(
         row.node = terms.speech.node;
         job::tell(&mut row, step.kind.and_then(|kind| job::telegram(terms, family, report.address, step, kind)));
         row.note = step.kind.is_none().then(of_width_asked);
-        if let Err(failure) = fits(step, step.kind, (family, terms.own_address())) {
+        let here = Step { param: terms.on_line(family, &step.param), ..step.clone() };
+        if let Err(failure) = fits(&here, step.kind, (family, terms.own_address())) {
             row.result = WriteResult::Refused;
             row.error = Some(ErrorDoc::from(&failure));
             failures.push(failure);

@@ -58,6 +58,7 @@ enum Action {
 impl Verb for Args {
     const NAME: &'static str = "dataset";
     const TAKES: Takes = Takes::WRITES;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 dataset show 372",
         "antrieb --port sim -a 1 dataset active",

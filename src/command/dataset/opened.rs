@@ -6,9 +6,10 @@ use crate::drive::transaction::Choice;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::Warning;
-use crate::profile::paramfile::{At, ParamFile, SavedDrive, Settings};
+use crate::profile::paramfile::{At, Head, ParamFile, Provenance, SavedDrive, Settings};
 use crate::profile::{Family, Registry};
-use crate::text::{Text, both};
+use crate::text::{Lang, Text, both};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -56,6 +57,17 @@ impl Opened {
         opened.changed.extend((opened.is_edited() == Some(true)).then(|| opened.file.path.clone()));
         named.map_or(Ok(()), |named| opened.fits(named))?;
         Ok(opened)
+    }
+
+    /// What a plan of a bus wants of a drive, as if a file held it.
+    pub(in crate::command) fn planned(path: &str, family: Rc<Family>, settings: Settings, lang: Lang) -> Self {
+        let path: Rc<str> = path.into();
+        let drive = SavedDrive { family: family.drive.clone(), ..SavedDrive::default() };
+        let saved = Provenance { complete: true, ..Provenance::default() };
+        let head = Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new(), lang };
+        let family_at = At { path: path.clone(), line: 0, column: 0 };
+        let file = ParamFile { path, head, family_at, lines: Vec::new(), undo: None };
+        Opened { file, family, settings, edited: None, changed: Vec::new(), of: Vec::new() }
     }
 
     /// Refuses a drive of another family.

@@ -182,6 +182,15 @@ impl Weighed {
         Weighed { comparison, failure: missing.or(differ).or(none).or(part), warnings }
     }
 
+    /// Beside something that could not be compared.
+    pub(in crate::command) fn beside(mut self, unsettled: Option<&Failure>) -> Self {
+        if self.failure.is_none() {
+            self.comparison.equal = self.comparison.equal.filter(|_| unsettled.is_none());
+            self.failure = unsettled.cloned();
+        }
+        self
+    }
+
     /// A file whose drive could not be asked at all.
     pub(in crate::command) fn failed(file: &Opened, address: u8, failure: Failure) -> Self {
         let sides = [&Which::File(file.file.path.as_ref().into()), &Which::Drive(None)];

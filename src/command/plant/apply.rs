@@ -70,6 +70,7 @@ pub(in crate::command) async fn write(
     let together = Together { interrupt: context.interrupt.clone(), atomic, failed: Cell::new(false) };
     on_lines(context, wanted, async |lines, ask| {
         look(lines, Args::UPPER, &nothing_written()).await;
+        leave_unsettled(wanted, lines);
         try_undo_files(lines);
         if atomic {
             leave_all(lines);
@@ -94,6 +95,15 @@ pub(in crate::command) async fn write(
         Ok(told::plant(wanted, lines, (together.interrupt.is_raised(), UNLIKE)))
     })
     .await?
+}
+
+/// Leaves out who cannot have all that is wanted of him.
+fn leave_unsettled(wanted: &[Wanted], lines: &mut [Line<'_>]) {
+    for (one, member) in wanted.iter().zip(lines.iter_mut().flat_map(|line| &mut line.members)) {
+        if let Some(failure) = one.unsettled.as_ref().filter(|_| member.left.is_none()) {
+            member.leave(failure.clone());
+        }
+    }
 }
 
 /// Leaves out whose undo file cannot be left: told before anybody is asked, and only where something is to be written.

@@ -68,12 +68,23 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         );
         (context.observe)(Event::Note(note));
     }
-    let settings = context.settings;
-    if settings.dry_run {
-        return Ok(dry_run(&wanted));
+    hold(context, &wanted, &|values, names| drift(values, names, &args.picks.typed())).await
+}
+
+/// What to do where values differ: these, of which no load takes the first unless they are named, and so many others.
+type Hint<'h> = &'h dyn Fn(&BTreeSet<u32>, usize) -> Text;
+
+/// Holds these drives against what is wanted of them.
+pub(in crate::command) async fn hold(
+    context: &mut Context<'_>,
+    wanted: &[Wanted],
+    hint: Hint<'_>,
+) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        return Ok(dry_run(wanted));
     }
-    let weighed = on_lines(context, &wanted, async |lines, _| {
-        let mut rest = wanted.as_slice();
+    let weighed = on_lines(context, wanted, async |lines, _| {
+        let mut rest = wanted;
         let mut works = Vec::new();
         for line in lines {
             let (own, others) = rest.split_at(line.members.len().min(rest.len()));
@@ -83,7 +94,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         join_all(works).await
     });
     let weighed: Vec<Weighed> = weighed.await?.into_iter().flatten().collect();
-    Ok(report(project(&wanted).unwrap_or_default(), &wanted, weighed, &args.picks.typed()))
+    Ok(report(project(wanted).unwrap_or_default(), wanted, weighed, hint))
 }
 
 /// Holds the drives of a line against their files, in turn.
@@ -102,6 +113,7 @@ async fn weigh(line: &mut Line<'_>, wanted: &[Wanted]) -> Vec<Weighed> {
             (None, None) => break,
         };
         let result = result.unwrap_or_else(|failure| Weighed::failed(&one.opened, member.address, failure));
+        let result = result.beside(one.unsettled.as_ref());
         over = over.or_else(|| result.failure.clone().filter(is_over));
         weighed.push(result);
     }
@@ -126,7 +138,7 @@ fn dry_run(wanted: &[Wanted]) -> Outcome {
 }
 
 /// Every drive beside its files, and how all of it ended.
-fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>, typed: &str) -> Outcome {
+fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>, hint: Hint<'_>) -> Outcome {
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     let (mut differing, mut values, mut unnamed, mut others) = (Vec::new(), 0, BTreeSet::new(), 0);
     for (one, Weighed { comparison, failure, warnings: more }) in wanted.iter().zip(weighed) {
@@ -151,7 +163,7 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>, typed: &str
     }
     let failure = match (
         told::summary(failures, drives.len(), (false, told::UNCOMPARED)),
-        drift(&differing, values, (&unnamed, others), typed),
+        differ(&differing, values).map(|failure| failure.hint(hint(&unnamed, others))),
     ) {
         (Some(failure), Some(drift)) => Some(told::beside(failure, &drift.message)),
         (failure, drift) => failure.or(drift),
@@ -159,14 +171,17 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>, typed: &str
     Outcome { data: Some(Data::PlantCheck(PlantCheck { project, drives })), warnings, failure }
 }
 
-/// That drives differ. What no load takes unless it is named is brought back by its name alone.
-fn drift(drives: &[String], values: u64, (unnamed, others): (&BTreeSet<u32>, usize), typed: &str) -> Option<Failure> {
-    if drives.is_empty() {
-        return None;
-    }
+/// That drives differ.
+fn differ(drives: &[String], values: u64) -> Option<Failure> {
     let some =
         Text::count(values, ["value differs", "values differ"], ["Wert ist verschieden", "Werte sind verschieden"]);
     let names = drives.join(", ");
+    let failure = || Failure::new(Class::No, "no.differences", both!("{some}: {names}", "{some}: {names}", some));
+    (!drives.is_empty()).then(failure)
+}
+
+/// What brings the values of files back. What no load takes unless it is named is brought back by its name alone.
+fn drift(unnamed: &BTreeSet<u32>, others: usize, typed: &str) -> Text {
     let rest = both!(
         "`antrieb plan{typed}` shows what `antrieb apply{typed}` would bring back",
         "`antrieb plan{typed}` zeigt, was `antrieb apply{typed}` wiederherstellen würde"
@@ -178,6 +193,5 @@ fn drift(drives: &[String], values: u64, (unnamed, others): (&BTreeSet<u32>, usi
     );
     let hints: Vec<Text> =
         (others > 0).then_some(rest).into_iter().chain((!unnamed.is_empty()).then_some(by_name)).collect();
-    let failure = Failure::new(Class::No, "no.differences", both!("{some}: {names}", "{some}: {names}", some));
-    Some(failure.hint(Text::join(&hints, "; ")))
+    Text::join(&hints, "; ")
 }

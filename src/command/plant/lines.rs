@@ -21,16 +21,37 @@ use std::cell::RefCell;
 #[derive(Debug)]
 pub(in crate::command) struct Wanted {
     pub(in crate::command) place: Place,
-    /// The project file that says so; `None` if drive and files were typed.
-    pub(in crate::command) project: Option<String>,
+    /// Who says so.
+    pub(in crate::command) said: Said,
     /// What its files say, later ones over earlier ones.
     pub(in crate::command) opened: Opened,
     pub(in crate::command) steps: Vec<Step>,
     pub(in crate::command) left_out: Vec<NotLoaded>,
     pub(in crate::command) undo: UndoPlace,
+    /// Why it cannot have all of it.
+    pub(in crate::command) unsettled: Option<Failure>,
+}
+
+/// Who says what a drive shall have.
+#[derive(Debug)]
+pub(in crate::command) enum Said {
+    /// This project file.
+    Project(String),
+    /// This plan of a system bus.
+    Plan(String),
+    /// Whoever typed drive and files.
+    Typed,
 }
 
 impl Wanted {
+    /// What is typed behind `-a` for it.
+    pub(super) fn typed(&self) -> String {
+        match self.said {
+            Said::Plan(_) if !self.place.settings.typed.names_address() => self.place.address.to_string(),
+            _ => self.place.name.clone(),
+        }
+    }
+
     pub(super) fn files(&self) -> Vec<String> {
         self.place.files.iter().map(|file| file.display().to_string()).collect()
     }
@@ -67,23 +88,31 @@ impl Wanted {
 
     /// What to do where its undo file cannot be left.
     fn elsewhere(&self) -> Text {
-        match self.project {
-            Some(_) => both!(
+        match self.said {
+            Said::Project(_) => both!(
                 "the undo files of a plant go beside its project file, so that folder must take new files",
                 "die Dateien zum Zurücknehmen kommen neben die Projektdatei, also muss dieser Ordner neue Dateien annehmen"
             ),
-            None => both!("--undo-file names another place", "--undo-file nennt einen anderen Ort"),
+            Said::Plan(_) => both!(
+                "the undo files go beside the plan, so that folder must take new files",
+                "die Dateien zum Zurücknehmen kommen neben den Plan, also muss dieser Ordner neue Dateien annehmen"
+            ),
+            Said::Typed => both!("--undo-file names another place", "--undo-file nennt einen anderen Ort"),
         }
     }
 
     /// What to do where another drive stands at its address.
     fn another(&self) -> Text {
-        match self.project {
-            Some(_) => both!(
+        match self.said {
+            Said::Project(_) => both!(
                 "if this drive is meant, say so in the project file; else look for the right one with `antrieb scan`",
                 "ist dieser Antrieb gemeint, es in der Projektdatei sagen; sonst den richtigen mit `antrieb scan` suchen"
             ),
-            None => both!(
+            Said::Plan(_) => both!(
+                "look for the right one with `antrieb scan`; --drive says of which family the drives of the plan are",
+                "den richtigen mit `antrieb scan` suchen; --drive sagt, von welcher Familie die Antriebe des Plans sind"
+            ),
+            Said::Typed => both!(
                 "take a file that was saved from such a drive, or leave this one out",
                 "eine Datei nehmen, die von einem solchen Antrieb gesichert wurde, oder diesen weglassen"
             ),
@@ -131,11 +160,22 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
     let choice = Choice { families, ..choice.clone() };
     for (place, opened) in files {
         let (steps, left_out) = choice.steps(&opened.settings, &opened.family)?;
-        let (project, undo) = (Some(project_path(settings).display().to_string()), undo(&place));
-        wanted.push(Wanted { place, project, opened, steps, left_out, undo });
+        let (said, undo) = (Said::Project(project_path(settings).display().to_string()), undo(&place));
+        wanted.push(Wanted { place, said, opened, steps, left_out, undo, unsettled: None });
     }
+    by_line(settings, &mut wanted)?;
+    let typed = typed_ports(settings)?;
+    if !typed.is_empty() {
+        let ports = typed.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        observe(Event::Note(both!("only the drives at {ports}", "nur die Antriebe an {ports}")));
+    }
+    Ok(wanted)
+}
+
+/// Puts those together that are on one line, and refuses what does not do for several.
+pub(in crate::command) fn by_line(settings: &Settings, wanted: &mut [Wanted]) -> Result<(), Failure> {
     let mut lines: Vec<Option<String>> = Vec::new();
-    for one in &wanted {
+    for one in wanted.iter() {
         let line = one.place.line();
         if !lines.contains(&line) {
             lines.push(line);
@@ -150,12 +190,7 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
             .hint(both!("name the port with -p", "den Anschluss mit -p nennen")));
     }
     wanted.sort_by_key(|one| lines.iter().position(|line| *line == one.place.line()));
-    let typed = typed_ports(settings)?;
-    if !typed.is_empty() {
-        let ports = typed.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        observe(Event::Note(both!("only the drives at {ports}", "nur die Antriebe an {ports}")));
-    }
-    Ok(wanted)
+    Ok(())
 }
 
 /// The family that the project file states must be one that there is, and that of the parameter files.
@@ -196,7 +231,7 @@ fn no_files(settings: &Settings, note: Text) -> Failure {
 }
 
 /// Opens the lines of these drives, all at once, and works on them. The lines stand in the order of the drives.
-pub(super) async fn on_lines<R>(
+pub(in crate::command) async fn on_lines<R>(
     context: &mut Context<'_>,
     wanted: &[Wanted],
     work: impl AsyncFnOnce(&mut [Line<'_>], &mut dyn Ask) -> R,

@@ -16,7 +16,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Outcome, Plant, PlantDrive, PlantState};
 use crate::text::{Text, both};
 use futures_util::future::join_all;
-use lines::Wanted;
+use lines::{Said, Wanted};
 
 /// What would be sent to each drive, without opening anything.
 fn dry_run(context: &Context<'_>, wanted: &[Wanted]) -> Result<Outcome, Failure> {
@@ -62,7 +62,10 @@ async fn look(lines: &mut [Line<'_>], upper: Upper, so: &Text) {
     }
 }
 
-/// The project file as it is told, if one says all of it.
+/// The project file, or the plan of a bus, as it is told, if one says all of it.
 fn project(wanted: &[Wanted]) -> Option<String> {
-    wanted.first()?.project.clone()
+    match &wanted.first()?.said {
+        Said::Project(path) | Said::Plan(path) => Some(path.clone()),
+        Said::Typed => None,
+    }
 }

@@ -54,13 +54,13 @@ pub(super) fn of(one: &Wanted, warning: Warning) -> Warning {
 
 /// What is told of a drive, with its name.
 fn named(one: &Wanted, told: &Text) -> Text {
-    let told = for_drive(told, &one.place.name, &one.port());
+    let told = for_drive(told, &one.typed(), &one.port());
     both!("{name}: {told}", "{name}: {told}", name = one.place.name, told)
 }
 
 /// A failure whose hint is for the drive that it is about.
 pub(super) fn hinted(one: &Wanted, failure: Failure) -> Failure {
-    let hint = failure.hint.as_deref().map(|hint| Box::new(for_drive(hint, &one.place.name, &one.port())));
+    let hint = failure.hint.as_deref().map(|hint| Box::new(for_drive(hint, &one.typed(), &one.port())));
     Failure { hint, ..failure }
 }
 

@@ -1,19 +1,23 @@
-//! `systembus`: the CAN bus between drives as it is planned (EM-RES-03 manual 5.11, 5.14). No drive is needed.
+//! `systembus`: the CAN bus between drives: as it is planned (EM-RES-03 manual 5.11, 5.14), as drives are set to it, and the one into the other.
 
+mod agree;
 mod load;
 mod plan;
+mod seated;
+mod show;
 
 use super::Context;
 use super::verb::{Verb, Working};
 use crate::args::Takes;
-use crate::outcome::{BusLoad, BusPlan, Document, OrBusLoad};
+use crate::drive::Upper;
+use crate::outcome::{Document, OrBus};
 use clap::{Args as ClapArgs, Subcommand};
 
-/// Plans the system bus (CAN) of ACTIVE Cube drives. No drive is needed.
+/// Plans the system bus (CAN) of ACTIVE Cube drives, and sets drives to it.
 ///
 /// A plan says which drive sends which PDO to whom, and what stands in it (docs/system-bus.md). It becomes the list of communication
 /// relations, the virtual links in both directions and every setting of each drive; what the manual forbids or advises against is
-/// told. Nothing is written to a drive.
+/// told.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]
@@ -24,7 +28,7 @@ pub struct Args {
 enum Action {
     /// Check a plan and show what becomes of it
     ///
-    /// A plan (TOML), or a DCF for each drive. Exit code 1 if it breaks a rule.
+    /// A plan (TOML), or a DCF for each drive. Exit code 1 if it breaks a rule. No drive is needed.
     Plan(plan::Options),
     /// What PDOs cost the bus
     ///
@@ -32,23 +36,56 @@ enum Action {
     /// A PDO counts with 140 bits; SYNC, SDO, NMT and emergencies are not in it. Up to 80 % is okay, up to 90 % critical. Exit
     /// code 1 above that.
     Load(load::Options),
+    /// How drives are set to the bus
+    ///
+    /// Node, rate, identifiers, times, and what fills the PDOs and takes from them, read from P.900 to P.989 over any protocol. Nothing
+    /// in a drive is changed.
+    Show,
+    /// Is a plan in its drives? 1 if a value differs
+    ///
+    /// Asked is what the plan decides. A drive that does not answer is named (exit 9).
+    Check(seated::Options),
+    /// Write a plan into its drives, with one question
+    ///
+    /// All drives or none: every drive is read and checked first, each value is proven, and whatever goes wrong, what was written goes
+    /// back. Each drive leaves an undo file beside the plan. Every function is written, also of what the plan leaves unused. How a drive
+    /// counts the functions of its RxPDOs (P.936 to P.938) is seen where a 2 stands; else the plan must say (rx-functions). Over
+    /// SDO the place of a drive on the bus (P.900, 903, 921 to 923) is not changed.
+    Apply(seated::Options),
 }
 
 impl Verb for Args {
     const NAME: &'static str = "systembus";
-    const TAKES: Takes = Takes::BROWSES;
+    const SDO: bool = true;
+    const TAKES: Takes = Takes::SYSTEM_BUS;
+    const PARTS: &'static [(&'static str, Takes)] =
+        &[("plan", Takes::BROWSES), ("load", Takes::BROWSES), ("show", Takes::READS), ("check", Takes::READS)];
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb systembus plan bus.toml",
         "antrieb systembus plan bus.toml --dcf . --svg bus.svg",
         "antrieb systembus load",
         "antrieb systembus load 500 1 2 8",
+        "antrieb --port sim --protocol sdo -a 1,2 systembus show",
+        "antrieb --port sim --protocol sdo systembus check bus.toml drive-2",
+        "antrieb --port sim --protocol sdo systembus apply bus.toml drive-2 --yes",
     ];
-    type Prints = Document<OrBusLoad<BusPlan, BusLoad>>;
+    const UPPER: Upper = Upper::drive(160).each(48, "parameter");
+    type Prints = Document<OrBus>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
-        Box::pin(std::future::ready(match &self.action {
-            Action::Plan(options) => plan::run(options, context),
-            Action::Load(options) => load::run(options),
-        }))
+        let alone = |part| context.settings.typed.unkept(Takes::BROWSES, part).map_or(Ok(()), Err);
+        match &self.action {
+            Action::Plan(options) => {
+                let run = alone("systembus plan").and_then(|()| plan::run(options, context));
+                Box::pin(std::future::ready(run))
+            }
+            Action::Load(options) => {
+                let run = alone("systembus load").and_then(|()| load::run(options));
+                Box::pin(std::future::ready(run))
+            }
+            Action::Show => Box::pin(show::run(context)),
+            Action::Check(options) => Box::pin(agree::check(options, context)),
+            Action::Apply(options) => Box::pin(agree::apply(options, context)),
+        }
     }
 }

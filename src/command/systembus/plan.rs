@@ -77,13 +77,13 @@ pub(super) fn run(options: &Options, context: &Context<'_>) -> Result<Outcome, F
 }
 
 /// The drive that has the module with the bus.
-const CUBE: &str = "acu";
+pub(super) const CUBE: &str = "acu";
 
 fn is_dcf(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dcf"))
 }
 
-fn read(paths: &[PathBuf]) -> Result<Plan, Failure> {
+pub(super) fn read(paths: &[PathBuf]) -> Result<Plan, Failure> {
     let text = |path: &PathBuf| {
         files::read(path, files::RECORDING).map_err(|error| {
             let why = error.text();

@@ -150,6 +150,8 @@ pub(super) async fn prepare(
         Err(failure) if failure.class == Class::Forbidden => vec![failure],
         Err(failure) => return Err(failure),
     };
+    let here = |step: Step| Step { param: terms.on_line(&target.family, &step.param), ..step };
+    let steps: Vec<Step> = steps.into_iter().map(here).collect();
     let mut plan = Plan::empty(target, failures);
     let (mut silences, total) = (0, steps.len());
     for group in grouped(steps) {

@@ -26,6 +26,7 @@ mod simulate;
 mod sollwert;
 mod statemachine;
 mod systembus;
+mod systembus_show;
 mod telegrams;
 mod write;
 
@@ -77,6 +78,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Procedures(found) => found,
         Data::BusPlan(found) => found.as_ref(),
         Data::BusLoad(found) => found,
+        Data::BusShow(found) => found,
         Data::Monitor(found) => found,
         Data::Plan(found) => found,
         Data::Motion(found) => found,

@@ -27,7 +27,7 @@ const BAD: [(&str, &str); 13] = [
 ];
 
 /// Verbs, of how many things in all they ask beside what they ask every drive, and an earlier end where one is promised.
-const TYPED: [(&str, u64, Option<u64>); 22] = [
+const TYPED: [(&str, u64, Option<u64>); 24] = [
     ("-a 1 read 372", 1, None),
     ("-a 1 read 372@all 480-483", 5, None),
     ("-a 1 write 372@1=1400 --yes", 1, None),
@@ -40,6 +40,8 @@ const TYPED: [(&str, u64, Option<u64>); 22] = [
     ("-a 1 monitor 372 411 --count 2 --unpaced", 4, None),
     ("-a 1 line set --baud 9600 --yes", 0, None),
     ("-a 1 protocol show", 0, None),
+    ("-a 1 systembus show", 77, None),
+    ("systembus check {dir}/bus.toml drive-1=1 --drive act", 48, None),
     ("-a 1 statemachine", 0, None),
     // It has gone out in the first second; the rest proves nothing.
     ("-a 1 statemachine quick-stop", 0, Some(20)),
@@ -56,6 +58,7 @@ const TYPED: [(&str, u64, Option<u64>); 22] = [
 
 /// What a plant is to have.
 const PLANT: &str = "[drives.pump]\naddress = 1\nfiles = [\"base.toml\"]\n";
+const BUS: &str = include_str!("../../../docs/examples/system-bus-setpoint.toml");
 const BASE: &str = "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"372@1\" = 1440\n\"480@2\" = 7\n";
 
 /// Every verb that asks a drive is in the table.
@@ -85,7 +88,7 @@ fn every_verb_ends_within_its_upper_time_whatever_the_line_is_like() {
                 let upper = VERBS.iter().find(|row| verb.split(' ').any(|word| word == row.name)).unwrap().upper;
                 let most = sooner.map_or(upper.span(price, count), Span::from_secs);
                 let run = antrieb(&format!("--protocol {protocol} {verb}")).on(&bench);
-                let run = run.file("plant.toml", PLANT).file("base.toml", BASE).run();
+                let run = run.file("plant.toml", PLANT).file("base.toml", BASE).file("bus.toml", BUS).run();
                 let took = witness::left().map_or(Span::ZERO, |(_, now)| now.since(Tick::ZERO));
                 println!("{protocol} {name}: {verb}: exit {}, {took} of {most}", run.exit);
                 assert!(run.exit != 101 && run.exit != 2, "{protocol} {name} {verb}: {}", run.err);

@@ -55,6 +55,21 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
             values.chain(failed).collect()
         }
         "systembus" if data["links"].is_array() => list(&data["links"]),
+        "systembus" if data["telegrams"].is_array() => list(&data["telegrams"]),
+        "systembus" if data["drives"][0]["load"].is_object() => {
+            of_whole(&list(&data["drives"]), "values", |one| places(one, &["called", "port"]))
+        }
+        "systembus" if data["drives"][0]["comparison"].is_object() => {
+            of_whole(&list(&data["drives"]), "differences", |one| places(one, &["called", "port", "address"]))
+        }
+        "systembus" if data["drives"].is_array() => {
+            let row = |mut drive: Value| {
+                let values = list(&drive["values"]);
+                drive.as_object_mut().unwrap().retain(|_, value| !value.is_array());
+                if values.is_empty() { vec![drive] } else { values }
+            };
+            list(&data["drives"]).into_iter().flat_map(row).collect()
+        }
         "systembus" if list(&data["pdos"]).is_empty() => list(&data["rates"]),
         "systembus" => list(&data["pdos"]),
         "params" => list(&data["params"]),

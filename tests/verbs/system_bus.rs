@@ -1,0 +1,186 @@
+//! Drives on the system bus: what they are set to, held against a plan, and set to it; over the bus itself and over the serial plug.
+
+use crate::run::antrieb;
+use antrieb::transport::witness;
+use serde_json::{Value, json};
+
+const PLAN: &str = include_str!("../../docs/examples/system-bus-setpoint.toml");
+
+/// What drive-2 of the plan has when it has all of it.
+const SET: &str = "\"99\" = 704, \"137\" = 709, \"924\" = 385, \"936\" = 1, \"941\" = 40";
+
+/// Drives on a serial line or on a bus, each with its address and more settings.
+fn drives(rows: &[(u8, &str)]) -> String {
+    let row = |(address, set): &(u8, &str)| {
+        format!("[[drive]]\nmodel = \"acu\"\naddress = {address}\nmodules = [\"EM-RES-03\"]\nset = {{ {set} }}\n")
+    };
+    rows.iter().map(row).collect()
+}
+
+fn on_bus(rows: &[(u8, &str)]) -> String {
+    drives(rows).replace("modules = [\"EM-RES-03\"]\n", "")
+}
+
+#[test]
+fn what_drives_are_set_to_is_the_same_over_every_protocol() {
+    let set = "\"900\" = 5, \"903\" = 7, \"923\" = 1, \"918\" = 100, \"930\" = 2, \"950\" = 740, \"955\" = 62, \"934\" = 1, \
+               \"929\" = 900, \"936\" = 2, \"924\" = 385, \"941\" = 40, \"99\" = 704";
+    let vabus = drives(&[(5, set)]).replace("address = 5", "address = 5\nprotocol = \"vabus\"");
+    let benches = [("", drives(&[(5, set)])), ("--protocol vabus", vabus), ("--protocol sdo", on_bus(&[(5, set)]))];
+    let found = benches.map(|(protocol, bench)| {
+        let run = antrieb(&format!("{protocol} -a 5 systembus show")).on(&bench).json().exits(0);
+        let mut drive = run.data("/drives/0").clone();
+        // A serial bench has no bus that its module could be on.
+        drive
+            .as_object_mut()
+            .unwrap()
+            .retain(|name, _| !["values", "node_state", "node_state_text"].contains(&&**name));
+        drive
+    });
+    assert_eq!((&found[0], &found[0]), (&found[1], &found[2]));
+    let of = |path: &str| found[0].pointer(path).cloned().unwrap_or(Value::Null);
+    assert_eq!(
+        ["/node", "/rate_kbd", "/sync_identifier", "/rx_sdo1"].map(of),
+        [json!(5), json!(500), json!(100), json!(1541)]
+    );
+    let sent = ["/sent/0/identifier", "/sent/0/function", "/sent/1/function", "/sent/2/identifier"].map(of);
+    assert_eq!(sent, [json!(389), json!("sync"), json!("off"), json!(900)]);
+    assert_eq!(of("/sent/0/places/1/param"), 955);
+    assert_eq!(of("/sent/0/places/1/source_name"), "Output of frequency setpoint channel");
+    // A 2 tells how the others are counted, too.
+    assert_eq!(["/rx_functions", "/received/1/function"].map(of), [json!("0-2"), json!("off")]);
+    assert_eq!(["/received/0/ms", "/received/0/places/0/param"].map(of), [json!(40), json!(99)]);
+    let page = antrieb("--lang de -a 5 systembus show").on(&benches[0].1).exits(0).out;
+    assert!(page.contains("Rate     500 kBd") && page.contains("99 Quelle Steuerwort"), "{page}");
+}
+
+#[test]
+fn codes_with_two_meanings_are_told_as_such() {
+    let run = antrieb("-a 5 systembus show").on(&drives(&[(5, "\"936\" = 1")])).json().exits(0);
+    assert_eq!(run.value["warnings"][0]["code"], "rx_functions");
+    assert_eq!(
+        (run.data("/drives/0/received/0/function"), run.data("/drives/0/received/0/code")),
+        (&Value::Null, &json!(1))
+    );
+    // A drive without the module knows none of it.
+    let bare = "[[drive]]\nmodel = \"acu\"\naddress = 5\n";
+    let run = antrieb("-a 5 systembus show").on(bare).json().exits(6);
+    assert!(run.error()["hint"].as_str().unwrap().contains("EM-RES-03"));
+    let run = antrieb("-a 1 systembus show").on("[[drive]]\nmodel = \"lxm05\"\naddress = 1\n").json().exits(7);
+    assert_eq!(run.error()["code"], "data.no_system_bus");
+}
+
+#[test]
+fn a_plan_is_held_against_the_drives() {
+    let check = "--protocol sdo systembus check {dir}/bus.toml drive-2";
+    let same = on_bus(&[(1, SET)]);
+    let run = antrieb(check).on(&same).file("bus.toml", PLAN).json().exits(0);
+    assert_eq!(run.data("/drives/0/comparison/equal"), true);
+    let other = on_bus(&[(1, &SET.replace("385", "386"))]);
+    let run = antrieb(check).on(&other).file("bus.toml", PLAN).json().exits(1);
+    let rows = run.data("/drives/0/comparison/differences").as_array().unwrap();
+    assert_eq!((rows.len(), &rows[0]["param"]), (1, &json!(924)));
+    assert!(run.error()["hint"].as_str().unwrap().contains("systembus apply"));
+    let remarks = witness::left_can().unwrap().remarks().to_vec();
+    assert!(remarks.is_empty(), "{remarks:?}");
+    antrieb(check).on(&on_bus(&[(2, SET)])).file("bus.toml", PLAN).exits(4);
+}
+
+#[test]
+fn a_plan_goes_into_its_drives_over_the_bus_and_back() {
+    let plan = PLAN.replace("node = 0 ", "node = 3 ").replace("master\n", "\n");
+    let plan = plan.replace("boot-up-delay = 3500\nemergency-reaction = \"fault\"\n", "rx-functions = \"0-2\"\n");
+    let plan = plan.replace("sync-every = 10", "master = \"external\"");
+    let bench = on_bus(&[(1, "\"932\" = 1, \"960\" = 5"), (3, "")]);
+    let apply = "--protocol sdo --yes systembus apply {dir}/bus.toml";
+    let run = antrieb(apply).on(&bench).file("bus.toml", &plan).exits(0);
+    let bus = witness::left_can().unwrap();
+    let of = |node, param| bus.eeprom(node, param, 0).unwrap();
+    assert_eq!([924, 936, 941, 932, 960].map(|param| of(1, param)), [385, 1, 40, 0, 9], "what is unused is off");
+    assert_eq!([925, 930, 931, 950, 955].map(|param| of(3, param)), [385, 1, 8, 740, 62]);
+    assert_eq!([99, 137].map(|param| bus.ram(1, param, 1).unwrap()), [704, 709]);
+    assert!(bus.remarks().is_empty() && !bus.is_open(), "{:?}", bus.remarks());
+    assert!(run.text_of("bus-drive-2.undo.toml").contains("[undo]"));
+    let back = run.then("--protocol sdo -a 1 --yes dataset undo {dir}/bus-drive-2.undo.toml");
+    back.on(&bench).exits(0);
+}
+
+#[test]
+fn all_drives_get_it_or_none() {
+    let plan =
+        PLAN.replace("node = 0 ", "node = 3 ").replace("boot-up-delay = 3500\nemergency-reaction = \"fault\"\n", "");
+    let plan = plan.replace("sync-every = 10", "master = \"external\"");
+    let apply = "--protocol sdo --yes systembus apply {dir}/bus.toml";
+    let run = antrieb(apply).on(&on_bus(&[(1, "")])).file("bus.toml", &plan).json();
+    let writes = witness::left_can().unwrap().counts()[2];
+    assert!([4, 9].contains(&run.exit) && writes == 0, "{}: {writes} written", run.exit);
+}
+
+#[test]
+fn how_functions_are_counted_is_found_out_or_must_be_said() {
+    let silent = PLAN.replace("rx-functions = \"0-2\"", "#");
+    let apply = "--protocol sdo --yes systembus apply {dir}/bus.toml drive-2";
+    for verb in ["check", "apply"] {
+        let run =
+            antrieb(&apply.replace("apply", verb)).on(&on_bus(&[(1, SET)])).file("bus.toml", &silent).json().exits(8);
+        assert_eq!(run.error()["code"], "forbidden.rx_functions", "{verb}");
+        assert!(run.error()["hint"].as_str().unwrap().contains("rx-functions"));
+        assert_eq!(witness::left_can().unwrap().counts()[2], 0);
+    }
+    let shows = on_bus(&[(1, &format!("{SET}, \"937\" = 2"))]);
+    antrieb(apply).on(&shows).file("bus.toml", &silent).exits(0);
+    let bus = witness::left_can().unwrap();
+    assert_eq!([936, 937].map(|param| bus.eeprom(1, param, 0)), [Some(1), Some(0)]);
+    let contradicts = PLAN.replace("\"0-2\"", "\"0-1\"");
+    let run = antrieb(apply).on(&shows).file("bus.toml", &contradicts).json().exits(8);
+    assert_eq!(run.error()["code"], "forbidden.rx_functions");
+    antrieb(apply).on(&on_bus(&[(1, "")])).file("bus.toml", &contradicts).exits(0);
+    assert_eq!(witness::left_can().unwrap().eeprom(1, 936, 0), Some(0), "0 is by time there");
+}
+
+#[test]
+fn over_the_bus_nobody_is_moved_on_it() {
+    let plan = PLAN.replace("node = 1\n", "node = 1\nsdo2 = false\n");
+    let run = antrieb("--protocol sdo --yes systembus apply {dir}/bus.toml drive-2").on(&on_bus(&[(1, "")]));
+    let run = run.file("bus.toml", &plan).json().exits(8);
+    assert_eq!(run.error()["code"], "forbidden.own_line");
+    assert_eq!(witness::left_can().unwrap().counts()[2], 0);
+    let file = "antrieb = 1\ndrive.family = \"acu\"\nvalues.923 = 0\n";
+    let run = antrieb("--protocol sdo -a 1 --yes dataset load {dir}/x.toml --only 923").on(&on_bus(&[(1, "")]));
+    assert_eq!(run.file("x.toml", file).json().exits(8).error()["code"], "forbidden.cuts");
+}
+
+#[test]
+fn over_the_serial_plug_a_drive_gets_its_place_too() {
+    let bench = drives(&[(1, ""), (7, "")]);
+    let typed = "--yes systembus apply {dir}/bus.toml drive-1=1 drive-2=7";
+    let run = antrieb(typed).on(&bench).file("bus.toml", PLAN).json().exits(0);
+    assert_eq!(run.value["warnings"][0]["code"], "bus.in_force");
+    let rows = run.data("/drives/1/load/values").as_array().unwrap();
+    let of = |param: u32| rows.iter().find(|row| row["param"] == param).map(|row| row["result"].clone());
+    assert_eq!([900, 903, 924, 99].map(of), [900, 903, 924, 99].map(|_| Some(json!("verified"))));
+    // The same, with their places in the project file.
+    let project = "[drives.drive-1]\naddress = 1\n[drives.drive-2]\naddress = 7\n";
+    let run = antrieb("--config {dir}/plant.toml --dry-run systembus apply {dir}/bus.toml").on(&bench);
+    let run = run.file("bus.toml", PLAN).file("plant.toml", project).json().exits(0);
+    assert_eq!(*run.data("/drives/1/load/address"), json!(7));
+}
+
+#[test]
+fn a_plan_that_does_not_do_opens_nothing() {
+    let broken = PLAN.replace("identifier = 385", "identifier = 150");
+    for (typed, plan, code, what) in [
+        ("systembus apply {dir}/bus.toml drive-1=1", broken.as_str(), 7, "data.plan"),
+        ("systembus apply {dir}/bus.toml", PLAN, 2, "usage.address"),
+        ("systembus check {dir}/bus.toml drive-9=1", PLAN, 2, "usage.address"),
+        ("systembus check {dir}/bus.toml drive-1=0", PLAN, 2, "usage.address"),
+        ("systembus check {dir}/bus.toml drive-1=1 drive-1=2", PLAN, 2, "usage.address"),
+        ("-a 1 systembus check {dir}/bus.toml", PLAN, 2, "usage.address"),
+        ("--protocol sdo systembus check {dir}/bus.toml", PLAN, 2, "usage.address"),
+        ("systembus plan {dir}/bus.toml --trace {dir}/x", PLAN, 2, "usage.no_use"),
+        ("--trace {dir}/x systembus load", PLAN, 2, "usage.no_use"),
+    ] {
+        let run = antrieb(typed).on(&drives(&[(1, "")])).file("bus.toml", plan).json().exits(code);
+        assert_eq!(run.error()["code"], what, "{typed}");
+    }
+}
