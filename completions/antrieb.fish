@@ -77,7 +77,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "procedure" -d 'Guid
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "protocol" -d 'Shows or changes what a drive speaks: RTU, ASCII, VABus'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "line" -d 'Changes speed, parity or address of a drive, and follows it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "systembus" -d 'Plans the system bus (CAN) of ACTIVE Cube drives. No drive is needed'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "systembus" -d 'Plans the system bus (CAN) of ACTIVE Cube drives, and sets drives to it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "decode" -d 'Explains telegrams, words and codes. No drive is needed'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "profibus" -d 'Looks at a PROFIBUS line without a controller; bytes for a Hitachi SJ2-PB'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sniff" -d 'Listens on a line and tells every telegram. Never sends'
@@ -2197,23 +2197,75 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -s v -l verbose -d 'Show settings and telegrams, on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l force -d 'Replace the file of --trace if it exists'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -f -a "plan" -d 'Check a plan and show what becomes of it'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -f -a "load" -d 'What PDOs cost the bus'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "apply" -d 'Write a plan into its drives, with one question'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "plan" -d 'Check a plan and show what becomes of it'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "load" -d 'What PDOs cost the bus'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "show" -d 'How drives are set to the bus'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "check" -d 'Is a plan in its drives? 1 if a value differs'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l dcf -d 'Write a DCF for each drive into this directory' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l svg -d 'Write a picture: drives, PDOs, sources' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
@@ -2247,6 +2299,68 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'

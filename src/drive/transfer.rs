@@ -6,6 +6,7 @@ use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError};
 use crate::profile::{DataSets, Param, Role, Sets, Type, value};
+use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::Exception;
 
 /// Error register: the width of the telegram is not the one of the parameter (CM-485 manual 6.6).
@@ -273,6 +274,13 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
         Content::Text(characters) => text(characters),
         Content::Done => blank,
     }
+}
+
+/// Whether nobody knows what this value of a parameter is: over SDO no answer tells a width (EM-RES-03 manual 5.10.1), and outside of this
+/// range a word and a long are not the same.
+pub(super) fn hides_width(session: &Session<'_>, param: &Param, raw: i64) -> bool {
+    let is_alike = (0..=i64::from(i16::MAX)).contains(&raw);
+    matches!(session.protocol(), Protocol::Sdo(_)) && param.kind.is_none() && !is_alike
 }
 
 /// A value of which always four bytes come. A word fills the lower two; of one below zero the upper two are zero, as the manual prints

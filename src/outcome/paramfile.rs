@@ -51,7 +51,7 @@ pub struct SavedFile {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct LeftOut {
     /// `actual-value`, `ram-only`, `write-only`, `no-number`, `refused`, `unanswered`, `not-asked`, `factory-setting`,
-    /// `no-known-factory-setting`.
+    /// `no-known-factory-setting`, `no-known-width`.
     pub reason: &'static str,
     /// The same for people.
     pub text: Text,

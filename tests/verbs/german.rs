@@ -36,6 +36,7 @@ const ALIKE: &str = "
     tk type udc uint vabus version war was watchdog
     acceleration an fdl generic manual pin profibus slaves status volatile
     gnd pe rxd txd
+    operational rxpdos
     ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
 ";
 
@@ -55,6 +56,13 @@ const NAMES: &[&str] = &[
     "Conn Sta",
     "Faulted",
     "SRD high",
+    // EM-RES-03 manual 7.2.
+    "PDO1 Function",
+    "PDO2 Function",
+    "PDO3 Function",
+    "PDO1 Time",
+    "PDO2 Time",
+    "PDO3 Time",
 ];
 
 /// The words of a page that could be those of a language, in lower case.

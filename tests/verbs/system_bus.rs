@@ -27,8 +27,8 @@ fn what_drives_are_set_to_is_the_same_over_every_protocol() {
                \"929\" = 900, \"936\" = 2, \"924\" = 385, \"941\" = 40, \"99\" = 704";
     let vabus = drives(&[(5, set)]).replace("address = 5", "address = 5\nprotocol = \"vabus\"");
     let benches = [("", drives(&[(5, set)])), ("--protocol vabus", vabus), ("--protocol sdo", on_bus(&[(5, set)]))];
-    let found = benches.map(|(protocol, bench)| {
-        let run = antrieb(&format!("{protocol} -a 5 systembus show")).on(&bench).json().exits(0);
+    let found = benches.each_ref().map(|(protocol, bench)| {
+        let run = antrieb(&format!("{protocol} -a 5 systembus show")).on(bench).json().exits(0);
         let mut drive = run.data("/drives/0").clone();
         // A serial bench has no bus that its module could be on.
         drive
@@ -51,7 +51,7 @@ fn what_drives_are_set_to_is_the_same_over_every_protocol() {
     assert_eq!(["/rx_functions", "/received/1/function"].map(of), [json!("0-2"), json!("off")]);
     assert_eq!(["/received/0/ms", "/received/0/places/0/param"].map(of), [json!(40), json!(99)]);
     let page = antrieb("--lang de -a 5 systembus show").on(&benches[0].1).exits(0).out;
-    assert!(page.contains("Rate     500 kBd") && page.contains("99 Quelle Steuerwort"), "{page}");
+    assert!(page.contains("500 kBd") && page.contains("99 Quelle Steuerwort"), "{page}");
 }
 
 #[test]
@@ -75,10 +75,10 @@ fn a_plan_is_held_against_the_drives() {
     let check = "--protocol sdo systembus check {dir}/bus.toml drive-2";
     let same = on_bus(&[(1, SET)]);
     let run = antrieb(check).on(&same).file("bus.toml", PLAN).json().exits(0);
-    assert_eq!(run.data("/drives/0/comparison/equal"), true);
+    assert_eq!(run.data("/drives/0/equal"), true);
     let other = on_bus(&[(1, &SET.replace("385", "386"))]);
     let run = antrieb(check).on(&other).file("bus.toml", PLAN).json().exits(1);
-    let rows = run.data("/drives/0/comparison/differences").as_array().unwrap();
+    let rows = run.data("/drives/0/differences").as_array().unwrap();
     assert_eq!((rows.len(), &rows[0]["param"]), (1, &json!(924)));
     assert!(run.error()["hint"].as_str().unwrap().contains("systembus apply"));
     let remarks = witness::left_can().unwrap().remarks().to_vec();
@@ -98,7 +98,7 @@ fn a_plan_goes_into_its_drives_over_the_bus_and_back() {
     let of = |node, param| bus.eeprom(node, param, 0).unwrap();
     assert_eq!([924, 936, 941, 932, 960].map(|param| of(1, param)), [385, 1, 40, 0, 9], "what is unused is off");
     assert_eq!([925, 930, 931, 950, 955].map(|param| of(3, param)), [385, 1, 8, 740, 62]);
-    assert_eq!([99, 137].map(|param| bus.ram(1, param, 1).unwrap()), [704, 709]);
+    assert_eq!([99, 137].map(|param| of(1, param)), [704, 709]);
     assert!(bus.remarks().is_empty() && !bus.is_open(), "{:?}", bus.remarks());
     assert!(run.text_of("bus-drive-2.undo.toml").contains("[undo]"));
     let back = run.then("--protocol sdo -a 1 --yes dataset undo {dir}/bus-drive-2.undo.toml");
@@ -156,14 +156,14 @@ fn over_the_serial_plug_a_drive_gets_its_place_too() {
     let typed = "--yes systembus apply {dir}/bus.toml drive-1=1 drive-2=7";
     let run = antrieb(typed).on(&bench).file("bus.toml", PLAN).json().exits(0);
     assert_eq!(run.value["warnings"][0]["code"], "bus.in_force");
-    let rows = run.data("/drives/1/load/values").as_array().unwrap();
+    let rows = run.data("/drives/1/values").as_array().unwrap();
     let of = |param: u32| rows.iter().find(|row| row["param"] == param).map(|row| row["result"].clone());
     assert_eq!([900, 903, 924, 99].map(of), [900, 903, 924, 99].map(|_| Some(json!("verified"))));
     // The same, with their places in the project file.
     let project = "[drives.drive-1]\naddress = 1\n[drives.drive-2]\naddress = 7\n";
     let run = antrieb("--config {dir}/plant.toml --dry-run systembus apply {dir}/bus.toml").on(&bench);
     let run = run.file("bus.toml", PLAN).file("plant.toml", project).json().exits(0);
-    assert_eq!(*run.data("/drives/1/load/address"), json!(7));
+    assert_eq!(*run.data("/drives/1/address"), json!(7));
 }
 
 #[test]
@@ -183,4 +183,42 @@ fn a_plan_that_does_not_do_opens_nothing() {
         let run = antrieb(typed).on(&drives(&[(1, "")])).file("bus.toml", plan).json().exits(code);
         assert_eq!(run.error()["code"], what, "{typed}");
     }
+}
+
+#[test]
+fn the_settings_of_a_drive_are_saved_and_loaded_over_the_bus() {
+    let bench = on_bus(&[(5, "\"480\" = 7, \"99\" = 704")]);
+    let run = antrieb("--protocol sdo -a 5 dataset save {dir}/x.toml").on(&bench).exits(0);
+    let text = run.text_of("x.toml");
+    assert!(text.contains("7.00 Hz") && text.contains("704"), "{text}");
+    let run = run.then("--protocol sdo -a 5 dataset check {dir}/x.toml").on(&bench).exits(0);
+    let file = text.replace("7.00 Hz", "8.00 Hz");
+    let load = "--protocol sdo -a 5 --yes dataset load {dir}/y.toml --only 480";
+    let run = run.then(load).on(&bench).file("y.toml", &file).exits(0);
+    let bus = witness::left_can().unwrap();
+    assert!((1..=4).all(|set| bus.eeprom(5, 480, set) == Some(800)) && bus.remarks().is_empty());
+    run.then("--protocol sdo -a 5 --yes dataset undo {dir}/y.undo.toml").on(&bench.replace("= 7,", "= 8,")).exits(0);
+    assert_eq!(witness::left_can().unwrap().eeprom(5, 480, 1), Some(700));
+}
+
+#[test]
+fn what_may_be_a_number_below_zero_is_neither_saved_nor_loaded() {
+    // No source tells the width of P.99.
+    let bench = on_bus(&[(5, "\"99\" = 40000")]);
+    let run = antrieb("--protocol sdo -a 5 dataset save {dir}/x.toml").on(&bench).exits(0);
+    let text = run.text_of("x.toml");
+    assert!(text.contains("no-known-width") && !text.contains("40000"), "{text}");
+    let file = "antrieb = 1\ndrive.family = \"acu\"\nvalues.99 = 704\n";
+    let run =
+        antrieb("--protocol sdo -a 5 --yes dataset load {dir}/x.toml").on(&bench).file("x.toml", file).json().exits(7);
+    assert_eq!(witness::left_can().unwrap().counts()[2], 0, "{:?}", run.error());
+}
+
+#[test]
+fn a_bus_that_loses_frames_gets_its_plan_all_the_same() {
+    let bench = format!("[bus]\nlosses = 100\n{}", on_bus(&[(1, "")]));
+    let apply = "--protocol sdo --yes --retries 9 systembus apply {dir}/bus.toml drive-2";
+    antrieb(apply).on(&bench).file("bus.toml", PLAN).exits(0);
+    let bus = witness::left_can().unwrap();
+    assert_eq!([924, 936, 941].map(|param| bus.eeprom(1, param, 0)), [Some(385), Some(1), Some(40)]);
 }

@@ -100,7 +100,7 @@ pub(in crate::command) async fn write(
 /// Leaves out who cannot have all that is wanted of him.
 fn leave_unsettled(wanted: &[Wanted], lines: &mut [Line<'_>]) {
     for (one, member) in wanted.iter().zip(lines.iter_mut().flat_map(|line| &mut line.members)) {
-        if let Some(failure) = one.unsettled.as_ref().filter(|_| member.left.is_none()) {
+        if let Some(failure) = one.unsettled.as_ref().filter(|_| member.found.is_some()) {
             member.leave(failure.clone());
         }
     }

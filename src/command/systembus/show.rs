@@ -76,16 +76,17 @@ async fn look(
         values.extend(reader.rows(param, DataSets::Unnamed).await?);
     }
     // A drive without the module knows none of it.
-    if values.iter().any(|value| value.raw.is_some()) {
-        for param in takers {
-            values.extend(reader.rows(param, DataSets::Unnamed).await?);
-        }
+    if values.iter().all(|value| value.raw.is_none()) {
+        let (failures, _) = reader.into_failures();
+        return match failures.into_iter().next() {
+            Some(failure) => Err(without_module(failure)),
+            None => Err(no_bus(&family).with("address", address)),
+        };
     }
-    let is_there = values.iter().any(|value| value.raw.is_some());
-    let (mut failures, good) = reader.into_failures();
-    if !is_there {
-        failures = failures.into_iter().map(without_module).collect();
+    for param in takers {
+        values.extend(reader.rows(param, DataSets::Unnamed).await?);
     }
+    let (failures, good) = reader.into_failures();
     Ok((told(address, &family, values), failures, good))
 }
 

@@ -4,6 +4,7 @@
 //! n parameters of which d differ take n + 5 d questions: the refusal, its cause, and four values for each that differs.
 
 use super::asked::Asking;
+use crate::drive::transfer::hides_width;
 use crate::drive::{AccessError, Reading, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -183,6 +184,9 @@ impl Work<'_, '_> {
         self.silences = 0;
         if readings.iter().any(|reading| reading.text.is_some()) {
             return self.so_far.leave(param.id, NotHeld::NoNumber);
+        }
+        if readings.iter().any(|reading| hides_width(self.session, param, reading.raw)) {
+            return self.so_far.leave(param.id, NotHeld::NoKnownWidth);
         }
         for reading in readings {
             // What whoever reads the file would not expect.

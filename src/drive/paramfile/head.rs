@@ -115,6 +115,10 @@ fn told(reason: NotHeld) -> Text {
         NotHeld::NoKnownFactorySetting => {
             Text::new("no source tells their factory setting", "keine Quelle nennt ihre Werkseinstellung")
         }
+        NotHeld::NoKnownWidth => both!(
+            "no source tells their width, nor does SDO: it may be a number below zero",
+            "keine Quelle nennt ihre Breite, SDO auch nicht: es kann eine Zahl unter null sein"
+        ),
     }
 }
 

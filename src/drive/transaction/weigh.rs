@@ -1,6 +1,7 @@
 //! One value of a plan: whether it is to be written, whether it may be, and why not.
 
 use crate::drive::job::{self, Step};
+use crate::drive::transfer::hides_width;
 use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, ErrorDoc, WriteResult, Written};
@@ -59,11 +60,13 @@ pub(super) fn weigh(
         row.old = value::digits(&step.param, old).map(|(raw, decimals)| Decimal { raw, decimals });
     }
     let kind = target.known_width(step.param.id).or(step.kind);
+    let is_hidden = |raw: i64| step.kind.is_none() && hides_width(session, &step.param, raw);
     let verdict = match (old, purpose) {
         (Ok(old), _) if old == step.raw => {
             row.result = WriteResult::Unchanged;
             return (row, None);
         }
+        (Ok(old), _) if is_hidden(old) || is_hidden(step.raw) => Err(job::no_width(&step.param)),
         (Ok(_), Purpose::Forward) => {
             let known = kind.ok_or_else(|| job::no_width(&step.param));
             known.and_then(|kind| fits(step, Some(kind), (&target.family, session.own_address())))

@@ -175,6 +175,8 @@ pub enum NotHeld {
     FactorySetting,
     /// No source tells its factory setting, so nobody knows whether it was changed.
     NoKnownFactorySetting,
+    /// No source tells how wide it is, and the line does not either: what came may be a number below zero.
+    NoKnownWidth,
 }
 
 impl Scope {
@@ -200,6 +202,7 @@ impl NotHeld {
         NotHeld::NotAsked,
         NotHeld::FactorySetting,
         NotHeld::NoKnownFactorySetting,
+        NotHeld::NoKnownWidth,
     ];
 
     /// Whether it may still be read: the next try asks it.
@@ -219,6 +222,7 @@ impl NotHeld {
             NotHeld::NotAsked => "not-asked",
             NotHeld::FactorySetting => "factory-setting",
             NotHeld::NoKnownFactorySetting => "no-known-factory-setting",
+            NotHeld::NoKnownWidth => "no-known-width",
         }
     }
 }

@@ -59,7 +59,7 @@ impl Page {
             ("node", place),
             ("rate", format!("{} kBd", identifier(node.rate_kbd))),
             ("state", coded(node.node_state, node.node_state_text.as_ref())),
-            ("CAN", coded(node.can_state, node.can_state_text.as_ref())),
+            ("bus state", coded(node.can_state, node.can_state_text.as_ref())),
             ("SYNC", format!("{}, {timeout}", identifier(node.sync_identifier))),
             ("SDO1", format!("{} -> {}", identifier(node.rx_sdo1), identifier(node.tx_sdo1))),
             ("SDO2", sdo2.to_owned()),

@@ -56,10 +56,10 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         }
         "systembus" if data["links"].is_array() => list(&data["links"]),
         "systembus" if data["telegrams"].is_array() => list(&data["telegrams"]),
-        "systembus" if data["drives"][0]["load"].is_object() => {
+        "systembus" if data["drives"][0]["eeprom_writes"].is_number() => {
             of_whole(&list(&data["drives"]), "values", |one| places(one, &["called", "port"]))
         }
-        "systembus" if data["drives"][0]["comparison"].is_object() => {
+        "systembus" if data["drives"][0]["differences"].is_array() => {
             of_whole(&list(&data["drives"]), "differences", |one| places(one, &["called", "port", "address"]))
         }
         "systembus" if data["drives"].is_array() => {

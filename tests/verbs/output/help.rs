@@ -33,7 +33,9 @@ fn short_help_has_a_line_for_each_option_and_fits_a_screen() {
         for needed in ["--port", "--address", "--dry-run", "--yes"] {
             let verb = VERBS.iter().find(|verb| command.split(' ').next() == Some(verb.name));
             let is_first = verb.is_some_and(|verb| antrieb(&format!("{} -h", verb.name)).run().out.contains(needed));
-            assert!(!is_first || page.contains(needed), "{command} {needed}\n{page}");
+            // A part of a verb that has no use for it does not tell it at all.
+            let is_offered = || antrieb(&format!("{command} --help")).run().out.contains(needed);
+            assert!(!is_first || page.contains(needed) || !is_offered(), "{command} {needed}\n{page}");
         }
     }
 }
