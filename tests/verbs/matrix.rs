@@ -393,7 +393,6 @@ cases! {
     systembus_partial: 9, "-a 2,7 systembus show";
     systembus_check: 1, "systembus check {dir}/bus.toml drive-1=2";
     systembus_apply: 0, "--yes systembus apply {dir}/bus.toml drive-1=2";
-    systembus_apply_dry: 0, "--dry-run systembus apply {dir}/bus.toml drive-1=2";
 
     decode_fine: 0, "decode fault F0500";
     decode_telegram: 0, "decode telegram 01 65 21 77 00 00 03 E8 46 C5";
