@@ -171,7 +171,7 @@ fn what_cannot_be_meant_is_refused_before_the_adapter_is_opened() {
         ("--protocol sdo -a 64 read 411", 2),
         ("--protocol sdo -a 5 --parity even read 411", 2),
         ("--protocol sdo -b auto scan", 2),
-        ("--protocol sdo -a 5 dataset show 480", 2),
+        ("--protocol sdo -a 5 --yes dataset copy 1 2 480", 2),
         ("--protocol sdo -a 5 --yes sollwert 5Hz", 2),
         ("--protocol sdo -a 5 --yes write 900=7", 8),
         ("--protocol sdo -a 5 --yes write 923=0", 8),

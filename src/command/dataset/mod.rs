@@ -96,8 +96,21 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             None => load::load(options, context).await,
         },
         Action::Undo(options) => load::undo(options, context).await,
+        Action::Sets(sets::Action::Copy { .. }) if context.settings.is_can() => Err(no_copy()),
         Action::Sets(action) => sets::run(action, context).await,
     }
+}
+
+/// Over SDO no answer tells a width, so a copy might not be one.
+fn no_copy() -> Failure {
+    let message = both!(
+        "`dataset copy` does not speak SDO: no answer tells how wide a value is",
+        "`dataset copy` spricht kein SDO: keine Antwort sagt, wie breit ein Wert ist"
+    );
+    Failure::new(Class::Usage, "usage.sdo", message).hint(both!(
+        "`antrieb dataset save` and `antrieb dataset load` go over SDO, and leave out what no source tells the width of",
+        "`antrieb dataset save` und `antrieb dataset load` gehen über SDO und lassen weg, wovon keine Quelle die Breite nennt"
+    ))
 }
 
 /// What takes a load back is of one drive.
