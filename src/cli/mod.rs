@@ -292,6 +292,7 @@ fn one_thread() -> Result<Runtime, Failure> {
 }
 
 /// A runtime, its signals and a port take this many open files, some of which nobody can be told that they fail.
+#[cfg(unix)]
 const FILES: usize = 12;
 
 /// Whether this process may open what it needs.

@@ -5,6 +5,8 @@ use crate::render::{self, Console, Key, Keys, Stream};
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use std::cell::RefCell;
+#[cfg(windows)]
+use tokio::signal::windows;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use tokio::time::Instant;
 #[cfg(unix)]
@@ -108,6 +110,7 @@ enum Wish {
     /// The end, of itself: the terminal is gone, and with it stdout, which is one wish and not two.
     Hangup,
     /// That we stand still, and with us the refresh and the stop of a shaft.
+    #[cfg_attr(windows, expect(dead_code, reason = "nothing is suspended there"))]
     Freeze,
 }
 
@@ -153,10 +156,19 @@ impl Signals {
         Signals { wishes }
     }
 
-    #[cfg(not(unix))]
+    /// Ctrl-C, Ctrl-Break, and the window that is closed: whoever is told of that has five seconds left, and is not asked twice.
+    #[cfg(windows)]
     pub(super) fn listen(_turns: bool) -> Self {
         let (heard, wishes) = unbounded_channel();
-        tokio::spawn(async move { while tokio::signal::ctrl_c().await.is_ok() && heard.send(Wish::End).is_ok() {} });
+        macro_rules! hear {
+            ($($event:ident: $wish:ident),*) => {$(
+                if let Ok(mut event) = windows::$event() {
+                    let heard = heard.clone();
+                    tokio::spawn(async move { while event.recv().await.is_some() && heard.send(Wish::$wish).is_ok() {} });
+                }
+            )*};
+        }
+        hear!(ctrl_c: End, ctrl_break: End, ctrl_close: Hangup, ctrl_logoff: Hangup, ctrl_shutdown: Hangup);
         Signals { wishes }
     }
 

@@ -5,8 +5,10 @@
 //! passes one of them to the request that the kernel defines for it. All of it is optional: a pseudo terminal answers
 //! ENOTTY to each, and on other systems each is "unsupported".
 
+#[cfg(all(unix, not(target_os = "linux")))]
+pub(super) use elsewhere::exclusive;
 #[cfg(not(target_os = "linux"))]
-pub(super) use elsewhere::{counters, exclusive, rs485, serial, set_rs485, set_serial};
+pub(super) use elsewhere::{counters, rs485, serial, set_rs485, set_serial};
 #[cfg(target_os = "linux")]
 pub(super) use linux::{counters, exclusive, rs485, serial, set_rs485, set_serial};
 
@@ -178,6 +180,7 @@ mod elsewhere {
         unsupported()
     }
 
+    #[cfg(unix)]
     pub(in super::super) fn exclusive(_tty: &SideDoor) -> io::Result<bool> {
         unsupported()
     }

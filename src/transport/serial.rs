@@ -219,8 +219,10 @@ fn connect(name: &str, line: LineSetting, rs485: Rs485) -> Result<(OpenPort, Vec
     if side_door.as_ref().is_some_and(|tty| !tty::claim(tty, name)) {
         return Err(LinkError::Busy(name.to_owned()));
     }
-    let stream =
-        builder.exclusive(side_door.is_none()).open_native_async().map_err(|error| open_error(name, &error))?;
+    // Elsewhere than on Unix a port has one opener by itself.
+    #[cfg(unix)]
+    let builder = builder.exclusive(side_door.is_none());
+    let stream = builder.open_native_async().map_err(|error| open_error(name, &error))?;
     side_door.iter().for_each(tty::exclude);
     let mut deviations = side_door.as_ref().map_or_else(Vec::new, |tty| tty::finish(tty, name, line));
     // Only the input: clearing the output as well could destroy what is sent next.
