@@ -274,7 +274,8 @@ fn may_color(choice: ColorChoice, environment: &Environment, out_is_terminal: bo
 
 /// A pipe that was closed on the other side is a success: the reader has what it wanted.
 fn closed(error: &io::Error, console: &Console) -> u8 {
-    if error.kind() == io::ErrorKind::BrokenPipe {
+    // ERROR_PIPE_NOT_CONNECTED (233) is one of Windows' ways to say so, and std does not know it.
+    if error.kind() == io::ErrorKind::BrokenPipe || cfg!(windows) && error.raw_os_error() == Some(233) {
         return 0;
     }
     let said = of_system(error);

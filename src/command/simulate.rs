@@ -43,7 +43,7 @@ pub struct Args {
 
     /// Serve on a loopback address, such as 127.0.0.1:5020
     ///
-    /// In place of a pseudo terminal.
+    /// In place of a pseudo terminal. Windows has none: there a free port is taken without this option.
     #[arg(long, value_name = "ADDR:PORT")]
     pub tcp: Option<SocketAddr>,
 

@@ -128,6 +128,9 @@ impl Server {
         let port = match place {
             #[cfg(unix)]
             Place::Pty { link } => Port::Pty(pty::Pty::open(link)?),
+            // Windows has no pseudo terminals.
+            #[cfg(not(unix))]
+            Place::Pty { link: None } => Port::Tcp(Tcp::open(std::net::SocketAddr::from(([127, 0, 0, 1], 0)))?),
             #[cfg(not(unix))]
             Place::Pty { .. } => return Err(ServeError::Pty(io::ErrorKind::Unsupported.into())),
             Place::Tcp { addr } if !addr.ip().is_loopback() => return Err(ServeError::NotLoopback(addr)),
