@@ -14,7 +14,8 @@ fn cases() {
         .env("COLUMNS", "100")
         .insert_var("[VERSION]", env!("CARGO_PKG_VERSION"))
         .unwrap()
-        .case("tests/cmd/*.trycmd");
+        .case("tests/cmd/*.trycmd")
+        .case("docs/first-day.md");
 }
 
 fn antrieb(arguments: &[&str]) -> Command {
