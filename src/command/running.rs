@@ -279,12 +279,14 @@ async fn on_drive<'p, C>(
     if let Some(before) = &before {
         motor.controls(before);
     }
+    // Behind a quick stop in place of the ramp no other one follows.
+    let choice = if first_word.is_quick_stop() { StopChoice::Coast } else { plan.choice() };
     motor.relieving = plan.relief.map(|_| begun);
     motor.first_word = first_word;
     motor.promises.clone_from(&plan.promises);
     motor.watched = watched;
     let mut ended = motor
-        .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
+        .run(plan.args.hold, choice, async |motor: &mut Motor<'_, '_>| {
             if pressed && is_command(act) {
                 return Err(motor.breaks_off());
             }

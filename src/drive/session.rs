@@ -402,6 +402,12 @@ impl<'a> Session<'a> {
         self.line.borrow_mut().master.set_limits(limits);
     }
 
+    /// From now on no answer is waited for longer than what insists does, whatever `--timeout` says.
+    pub(super) fn wait_briefly(&mut self) {
+        let limits = self.limits();
+        self.set_limits(Limits { reply_timeout: limits.reply_timeout.min(UNHURRIED), ..limits });
+    }
+
     /// The same with as much time for an answer as a drive may take: asked again sooner, nobody knows which one came.
     pub(super) fn patient(&self) -> Limits {
         Limits { reply_timeout: self.usual, ..self.limits }

@@ -89,6 +89,7 @@ mod motion {
     mod moments;
     mod narrow;
     mod otherwise;
+    mod pressed;
     mod proofs;
     mod question;
     mod refused;

@@ -68,13 +68,11 @@ async fn stop_one<'p, C>(
             plan.said = true;
             match call.go_on(session, around.registry).await {
                 Ok(first_word) => first_word,
-                Err(error) => {
-                    if matches!(error, AccessError::Interrupted) {
-                        // Who does not answer may hear: the stronger word goes out to him, too.
-                        stop_harder(session, (around.settings, around.registry), drive.address, Some(act)).await?;
-                    }
-                    return Err(unstopped(error.failure(drive.address, None), act, true));
+                // Who does not answer may hear: the stronger word goes out to him, too, and he is stopped on.
+                Err(AccessError::Interrupted) => {
+                    stop_harder(session, (around.settings, around.registry), drive.address, Some(act)).await?
                 }
+                Err(error) => return Err(unstopped(error.failure(drive.address, None), act, true)),
             }
         }
         None => said_of(session, around.registry, drive, act, &mut plan).await?,

@@ -23,7 +23,8 @@ pub(super) async fn whom(
     }
     let recognised = match target(session, settings, registry, address, false).await {
         Err(failure) if failure.class == Class::Interrupted && is_command(act) => {
-            *pressed = true;
+            // Who has pressed before has had that one.
+            let act = if std::mem::replace(pressed, true) { Some(Relief::QuickStop) } else { act };
             stop_harder(session, (settings, registry), address, act).await?;
             target(session, settings, registry, address, false).await
         }
@@ -55,27 +56,27 @@ pub(super) async fn first_said(
     match said_of(session, registry, drive, act, plan).await {
         Err(failure) if failure.class == Class::Interrupted && is_command(Some(act)) => {
             plan.said = true;
-            stop_harder(session, (settings, registry), drive.address, Some(act)).await?;
-            Ok(FirstWord::interrupted())
+            stop_harder(session, (settings, registry), drive.address, Some(act)).await
         }
         said => said,
     }
 }
 
-/// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is.
+/// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is. Returns what became of it.
 pub(super) async fn stop_harder(
     session: &mut Session<'_>,
     (settings, registry): (&Settings, &Registry),
     address: u8,
     act: Option<Relief>,
-) -> Result<(), Failure> {
+) -> Result<FirstWord, Failure> {
     session.note_interrupts();
     let act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
+    let mut word = FirstWord::default();
     for drive in meant(settings, registry, &[address])? {
         let said = shout_once(session, registry, &drive, act).await;
-        said.map_err(|error| unstopped(error.failure(address, None), act, true))?;
+        word = said.map_err(|error| unstopped(error.failure(address, None), act, true))?;
     }
     session.insist(true);
     session.end_at(Some(session.now() + PROOF));
-    Ok(())
+    Ok(word.interrupted())
 }

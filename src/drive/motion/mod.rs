@@ -147,6 +147,8 @@ pub struct Motor<'a, 's> {
     pub relieving: Option<Tick>,
     /// The stop was given up because it answered no more.
     pub unheard: bool,
+    /// Somebody did not wait for the stop.
+    hurried: bool,
     /// Every question ends then, whatever has come of it.
     bound: Option<Tick>,
     /// When it was written to last, and what can be written to it again without changing anything.
@@ -235,6 +237,7 @@ impl<'a, 's> Motor<'a, 's> {
             minded: now,
             relieving: None,
             unheard: false,
+            hurried: false,
             bound: None,
             fed: now,
             again: None,
@@ -296,7 +299,12 @@ impl<'a, 's> Motor<'a, 's> {
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
         self.session.heed(Interrupt::default());
         self.session.insist(false);
+        if self.relieving.is_some() || self.unheard {
+            // What is left unanswered holds the line as long as it is waited for.
+            self.session.wait_briefly();
+        }
         let gives_back = self.relieving.is_none() && self.may_give_back(stop.as_ref());
+        let gives_back = gives_back && !(self.hurried && self.unheard);
         self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
         let result = match result {
             Err(failure) => Err(self.explained(failure).await),

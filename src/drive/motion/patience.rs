@@ -134,7 +134,9 @@ impl Motor<'_, '_> {
             }
             if wait.is_over(self.session.now()) {
                 // Asked only now: on a slow line the looks before are what shows the shaft standing.
-                match self.braking(braking.take()).await? {
+                // Who works on as if nothing had been said neither holds nor brakes.
+                let braking = braking.take().filter(|takes| *takes != Takes::QuickStop || !self.works);
+                match self.braking(braking).await? {
                     Span::ZERO => return Err(self.stuck(&state, goals.first().copied().unwrap_or_default()).await),
                     more => {
                         self.takes_time(more);

@@ -92,8 +92,13 @@ pub struct FirstWord {
 
 impl FirstWord {
     /// Somebody did not wait for what comes of it.
-    pub fn interrupted() -> Self {
-        FirstWord { pressed: true, ..FirstWord::default() }
+    pub fn interrupted(self) -> Self {
+        FirstWord { pressed: true, ..self }
+    }
+
+    /// Whether the drive has acknowledged a quick stop in place of the ramp.
+    pub fn is_quick_stop(&self) -> bool {
+        self.heard && self.instead
     }
 
     /// One of the kind of drive that has acknowledged it, if a standstill of these shows only for a while: then it is looked at before
@@ -287,6 +292,10 @@ impl<'m> Call<'m> {
     async fn turn(&mut self, session: &mut Session<'_>, registry: &Registry) -> Result<bool, AccessError> {
         let (by, tell) = (session.now() + TURN, self.tell);
         self.meet(session, registry).await?;
+        self.hears_late(session);
+        if !self.goes_on() {
+            return Ok(false);
+        }
         self.learn(session, by).await?;
         let is_late = tell.is_first() && !self.untold.is_empty() && session.now() >= by;
         let by = if tell.is_first() { by } else { session.now() };
@@ -371,17 +380,9 @@ impl<'m> Call<'m> {
         match answer {
             Ok(Answer::Reply { said, after }) => match no(&said) {
                 None => {
-                    if family.motion.control.is_none() {
-                        // What was found out for another kind does not count.
-                        self.first = FirstWord::default();
-                    }
                     let since = session.now().since(begun);
-                    self.first.is_late = self.slow || after > GLANCE || (self.tell == Tell::Alone && since > GLANCE);
-                    (self.first.heard, self.first.looks) = (true, looks);
-                    self.ended = Some(Ok(()));
-                    if !self.widened {
-                        self.families = Some(vec![family.clone()]);
-                    }
+                    let is_late = self.slow || after > GLANCE || (self.tell == Tell::Alone && since > GLANCE);
+                    self.was_heard(&family, is_late, looks);
                 }
                 // Who is busy may take it a moment later.
                 Some(no) => self.refused |= !no.passes(),
@@ -391,6 +392,29 @@ impl<'m> Call<'m> {
         }
         self.words.push_back((family, word));
         Ok(pressed)
+    }
+
+    /// An answer to one of its words that came in the turn of another is one all the same: what the drive does tells the rest.
+    fn hears_late(&mut self, session: &Session<'_>) {
+        let address = self.meant.address;
+        let takes = |word: &Question| session.came_late(address, word).is_some_and(|said| no(&said).is_none());
+        let heard = self.words.iter().find(|(_, word)| takes(word)).map(|(family, _)| family.clone());
+        if let Some(family) = heard {
+            self.was_heard(&family, true, Vec::new());
+        }
+    }
+
+    /// The word of this family is acknowledged.
+    fn was_heard(&mut self, family: &Rc<Family>, is_late: bool, looks: Vec<Look>) {
+        if family.motion.control.is_none() {
+            // What was found out for another kind does not count.
+            self.first = FirstWord::default();
+        }
+        (self.first.heard, self.first.is_late, self.first.looks) = (true, is_late, looks);
+        self.ended = Some(Ok(()));
+        if !self.widened {
+            self.families = Some(vec![family.clone()]);
+        }
     }
 
     /// Who refuses the words of its family, or cannot be told them, may be of another one, and runs.

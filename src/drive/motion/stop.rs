@@ -10,24 +10,19 @@ use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 
 mod choice;
+mod silent;
 mod told;
 mod unbidden;
 
 pub use choice::StopChoice;
+pub(super) use silent::PURSUED;
+use silent::PURSUED_ALONE;
 use told::started_by_others;
 
 /// How often the stop at the end is tried at least on a line that does not answer.
 const STOP_TRIES: u8 = 5;
-/// The stop is given up when the drive has not answered for so long.
-const SILENT: Span = Span::from_secs(10);
-/// And after so long where it answers now and then, but never as far as a proof.
-pub(super) const PURSUED: Span = Span::from_secs(20);
 /// Who has not answered for so long was not reached.
 const UNHEARD: Span = Span::from_secs(2);
-/// Who interrupts the strongest stop waits so long for it to be heard and proven.
-const HURRIED: Span = Span::from_secs(3);
-/// The same where somebody waits for what only takes motion away.
-const PURSUED_ALONE: Span = Span::from_secs(6);
 
 /// What proves a stop.
 struct Proof {
@@ -122,7 +117,12 @@ impl Motor<'_, '_> {
         if hurry && self.session.is_over() {
             self.ends_within(ENDING_ALONE);
         }
-        self.last_look(stop, !hurry && way != StopChoice::Coast).await
+        self.hurried = hurry;
+        let owed = !hurry && way != StopChoice::Coast;
+        match self.unheard {
+            true => self.briefly(async |motor: &mut Self| motor.last_look(stop, owed).await).await,
+            false => self.last_look(stop, owed).await,
+        }
     }
 
     /// The time of what only takes motion away is over, and the drive works on as if nothing had been said: the strongest word goes
@@ -156,30 +156,6 @@ impl Motor<'_, '_> {
         begun
     }
 
-    /// A word that follows goes out, and is proven for a while, also where the time of what only takes motion away is over.
-    fn has_time_for_a_word(&mut self) {
-        if self.relieving.is_some() && self.session.is_over() {
-            self.ends_within(HURRIED);
-        }
-    }
-
-    /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.
-    fn hurries(&mut self) {
-        self.session.note_interrupts();
-        if self.bound.is_none() {
-            self.ends_within(HURRIED);
-        }
-    }
-
-    /// Whether a stop that brings no answers is given up: as long as the drive answers now and then it goes out to it.
-    async fn gives_up(&mut self, begun: Tick) -> bool {
-        self.session.note_interrupts();
-        let now = self.session.now();
-        let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
-        let pursued = now.since(begun) >= limit || self.session.is_over();
-        pursued || (now.since(self.heard) >= SILENT && !self.runs_on().await)
-    }
-
     /// What is left to stop it with.
     fn stronger(&self, way: StopChoice) -> Option<StopChoice> {
         match self.lever {
@@ -202,11 +178,6 @@ impl Motor<'_, '_> {
         self.session.tell(Event::Note(text.clone()));
         self.instead = Some(text);
         way
-    }
-
-    /// Whether the drive answers after all, and has power.
-    async fn runs_on(&mut self) -> bool {
-        self.state().await.is_ok_and(|state| !STOPPED.contains(&state.slug.as_str()))
     }
 
     /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it, and so is that

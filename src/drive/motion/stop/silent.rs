@@ -1,0 +1,64 @@
+//! How long a stop goes on to a drive that does not answer, or whose proof nobody waits for.
+
+use super::super::Motor;
+use super::super::still::STOPPED;
+use crate::tick::{Span, Tick};
+
+/// The stop is given up when the drive has not answered for so long.
+const SILENT: Span = Span::from_secs(10);
+/// And after so long where it answers now and then, but never as far as a proof.
+pub(in crate::drive::motion) const PURSUED: Span = Span::from_secs(20);
+/// The same where somebody waits for what only takes motion away.
+pub(super) const PURSUED_ALONE: Span = Span::from_secs(6);
+/// Who interrupts the strongest stop waits so long for it to be heard and proven.
+const HURRIED: Span = Span::from_secs(3);
+/// A drive that has been silent for long is asked no longer than this how it is, whatever `--timeout` says.
+const BRIEFLY: Span = Span::from_secs(2);
+
+impl Motor<'_, '_> {
+    /// A word that follows goes out, and is proven for a while, also where the time of what only takes motion away is over.
+    pub(super) fn has_time_for_a_word(&mut self) {
+        if self.relieving.is_some() && self.session.is_over() {
+            self.ends_within(HURRIED);
+        }
+    }
+
+    /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.
+    pub(super) fn hurries(&mut self) {
+        self.session.note_interrupts();
+        if self.bound.is_none() {
+            self.ends_within(HURRIED);
+        }
+    }
+
+    /// Whether a stop that brings no answers is given up: as long as the drive answers now and then it goes out to it.
+    pub(super) async fn gives_up(&mut self, begun: Tick) -> bool {
+        self.session.note_interrupts();
+        let now = self.session.now();
+        let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
+        let pursued = now.since(begun) >= limit || self.session.is_over();
+        pursued || (now.since(self.heard) >= SILENT && !self.runs_on().await)
+    }
+
+    /// Whether the drive answers after all, and has power.
+    async fn runs_on(&mut self) -> bool {
+        let state = self.briefly(async |motor: &mut Self| motor.state().await).await;
+        state.is_ok_and(|state| !STOPPED.contains(&state.slug.as_str()))
+    }
+
+    /// Asks a drive that is silent no longer than it is worth. What only takes motion away has an end of its own.
+    pub(super) async fn briefly<T>(&mut self, ask: impl AsyncFnOnce(&mut Self) -> T) -> T {
+        let bound = self.bound;
+        if self.relieving.is_none() {
+            let at = self.session.now() + BRIEFLY;
+            self.bound = Some(bound.map_or(at, |bound| bound.min(at)));
+            self.session.end_at(self.bound);
+        }
+        let told = ask(self).await;
+        if self.relieving.is_none() {
+            self.bound = bound;
+            self.session.end_at(bound);
+        }
+        told
+    }
+}

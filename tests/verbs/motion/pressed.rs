@@ -1,0 +1,103 @@
+//! Who presses Ctrl-C while several drives are stopped, once, twice or three times: each that is not proven hears the next stronger word, and
+//! the end comes soon.
+
+use super::by_chance::{BEGIN, Manner, Member, Trial};
+use antrieb::profile::Registry;
+use antrieb::tick::{Span, Tick};
+
+fn member(address: u8, model: &'static str, manner: Manner, delay: u64) -> Member {
+    Member { address, model, manner, delay, ramp: 4_000 }
+}
+
+/// When something went out first that begins so, in ms since the stop began.
+fn first(log: &[String], begins: &str) -> Option<f64> {
+    let sent = log.iter().filter_map(|line| line.split_once(" > "));
+    let at = |at: &str| at.trim().parse::<f64>().ok().map(|ms| ms - BEGIN.as_millis() as f64);
+    sent.filter(|(_, hex)| hex.starts_with(begins)).find_map(|(ms, _)| at(ms))
+}
+
+/// When the n-th Ctrl-C was heard, in ms since the stop began.
+fn pressed_at(log: &[String], nth: usize) -> Option<f64> {
+    let at = log.iter().enumerate().filter(|(_, line)| line.trim() == "Ctrl-C").nth(nth)?.0;
+    let time = |line: &String| line.split_once(['>', '<', '~'])?.0.trim().parse::<f64>().ok();
+    log.iter().take(at).rev().find_map(time).map(|ms| ms - BEGIN.as_millis() as f64)
+}
+
+/// Drives that ignore their stop, quick and slow ones, one that ramps down, and a dead one.
+fn group(verb: &'static str, presses: &[usize]) -> Trial {
+    let members = vec![
+        member(1, "acu", Manner::Good, 10),
+        member(2, "acu", Manner::Ignores, 10),
+        member(3, "acu", Manner::Ignores, 450),
+        member(4, "lxm05", Manner::Ignores, 5),
+        member(5, "acu", Manner::Dead, 10),
+    ];
+    Trial { members, verb, presses: presses.to_vec(), hangs_up: None }
+}
+
+/// The strongest word to each of those that ignore theirs.
+const STRONGEST: [&str; 3] = ["02 06 01 9A 00 00", "03 06 01 9A 00 00", "04 10 1B 02 00 02 04 00 00 00 00"];
+
+#[test]
+fn each_press_is_a_stronger_word_for_whoever_is_not_proven() {
+    let registry = Registry::open(&[]).unwrap();
+    for verb in ["statemachine disable", "statemachine quick-stop"] {
+        let mut before = f64::MAX;
+        for presses in [&[][..], &[70], &[70, 90], &[70, 90, 110]] {
+            let trial = group(verb, presses);
+            let seen = trial.run(&registry);
+            let took = seen.at.since(Tick::ZERO + BEGIN);
+            let told = format!("{verb} {presses:?}: {took}\n{}", seen.log.join("\n"));
+            assert_eq!(trial.sins(&seen), Vec::<String>::new(), "{told}");
+            let coasts: Vec<_> = STRONGEST.iter().map(|word| first(&seen.log, word)).collect();
+            let pressed: Vec<_> = (0..presses.len()).map(|nth| pressed_at(&seen.log, nth)).collect();
+            println!("{verb} {presses:?}: {took}, pressed {pressed:?}, coasts {coasts:?}");
+            let latest = coasts.iter().map(|at| at.unwrap_or(f64::MAX)).fold(0.0, f64::max);
+            assert!(latest <= before, "{latest} {before} {told}");
+            before = latest;
+        }
+    }
+}
+
+/// One whose shaft coasts shows by its encoder when it stands, whoever is beside it.
+#[test]
+fn an_encoder_proves_a_shaft_that_coasts_beside_others() {
+    let registry = Registry::open(&[]).unwrap();
+    for other in [(Manner::Dead, 10), (Manner::Ignores, 450), (Manner::Doubled(450), 10), (Manner::Good, 450)] {
+        let members =
+            vec![Member { ramp: 1_000, ..member(1, "acu", Manner::Encoder, 10) }, member(2, "acu", other.0, other.1)];
+        let trial = Trial { members, verb: "statemachine disable", presses: Vec::new(), hangs_up: None };
+        let seen = trial.run(&registry);
+        let told = format!("{other:?}: {}", seen.log.join("\n"));
+        let coasting = seen.drives[0].motion.as_ref();
+        assert_eq!(coasting.and_then(|motion| motion.standing), Some(true), "{told}");
+        assert!(seen.drives[0].error.is_none(), "{told}");
+        assert_eq!(seen.bench.drive(1).unwrap().turning(seen.at), 0, "{told}");
+        let sins: Vec<_> = trial.sins(&seen).into_iter().filter(|sin| !sin.starts_with("SLOW")).collect();
+        assert_eq!(sins, Vec::<String>::new(), "{told}");
+        assert!(seen.at.since(Tick::ZERO + BEGIN) < Span::from_secs(40), "{told}");
+    }
+}
+
+/// A held run on a line that went dead: three presses end it, however long `--timeout` lets an answer take.
+#[test]
+fn three_presses_end_a_held_run_on_a_dead_line_whatever_its_time_out() {
+    let registry = Registry::open(&[]).unwrap();
+    let set = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
+    for timeout in ["500ms", "10s", "60s"] {
+        for dead in [60, 61, 70] {
+            let silent = format!("[[drive.event]]\nafter_telegrams = {dead}\nsilent = \"600s\"");
+            let bench = format!("[[drive]]\nmodel = \"acu\"\nset = {{ {set} }}\n{silent}\n");
+            let line = format!("--timeout {timeout} -a 1 --drive acu sollwert 10Hz --enable --hold --duration 60s");
+            let presses: Vec<usize> = (1..=3).map(|nth| 2 * dead + nth).collect();
+            let seen = Trial::on_bench(&line, &bench, &registry, (&presses, None));
+            let told = format!("{timeout} {dead}: {:?}\n{}", seen.failure, seen.log.join("\n"));
+            let since = first(&seen.log, "01 06 01 9A 00 00").expect(&told);
+            let took = seen.at.since(Tick::ZERO).as_millis() as f64 - (since + BEGIN.as_millis() as f64);
+            println!("{timeout} {dead}: {took} ms behind the third");
+            assert!(took < 16_000.0, "{took} {told}");
+            let failure = seen.failure.unwrap();
+            assert!(failure.message.en.starts_with("THE SHAFT MAY STILL TURN"), "{failure:?}");
+        }
+    }
+}
