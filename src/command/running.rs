@@ -279,8 +279,8 @@ async fn on_drive<'p, C>(
     if let Some(before) = &before {
         motor.controls(before);
     }
-    // Behind a quick stop in place of the ramp no other one follows.
-    let choice = if first_word.is_quick_stop() { StopChoice::Coast } else { plan.choice() };
+    // Behind a quick stop in place of the ramp no other one follows, nor behind what takes the power.
+    let choice = if first_word.leaves_the_strongest() { StopChoice::Coast } else { plan.choice() };
     motor.relieving = plan.relief.map(|_| begun);
     motor.first_word = first_word;
     motor.promises.clone_from(&plan.promises);

@@ -4,7 +4,7 @@ use super::{Plan, is_command, said_of, unstopped};
 use crate::args::Settings;
 use crate::command::{named_family, target, target_to_change, terms};
 use crate::drive::motion::{FirstWord, Meant, PROOF, shout_once};
-use crate::drive::{Session, Target};
+use crate::drive::{AccessError, Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::Registry;
@@ -62,21 +62,30 @@ pub(super) async fn first_said(
     }
 }
 
-/// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is. Returns what became of it.
+/// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is, and who interrupts that gets the
+/// strongest. Returns what became of it.
 pub(super) async fn stop_harder(
     session: &mut Session<'_>,
     (settings, registry): (&Settings, &Registry),
     address: u8,
     act: Option<Relief>,
 ) -> Result<FirstWord, Failure> {
-    session.note_interrupts();
-    let act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
+    let mut act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
     let mut word = FirstWord::default();
     for drive in meant(settings, registry, &[address])? {
-        let said = shout_once(session, registry, &drive, act).await;
-        word = said.map_err(|error| unstopped(error.failure(address, None), act, true))?;
+        loop {
+            session.note_interrupts();
+            word = match shout_once(session, registry, &drive, act).await {
+                Err(AccessError::Interrupted) if act == Relief::QuickStop => FirstWord::default().interrupted(act),
+                said => said.map_err(|error| unstopped(error.failure(address, None), act, true))?,
+            };
+            if !word.pressed || act == Relief::DisableVoltage {
+                break;
+            }
+            act = Relief::DisableVoltage;
+        }
     }
     session.insist(true);
     session.end_at(Some(session.now() + PROOF));
-    Ok(word.interrupted())
+    Ok(word.interrupted(act))
 }

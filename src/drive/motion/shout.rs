@@ -80,6 +80,8 @@ pub struct FirstWord {
     kind: Option<Rc<Family>>,
     /// Somebody interrupted meanwhile, so a stronger one follows.
     pub pressed: bool,
+    /// It takes the power, because somebody interrupted those before it.
+    strongest: bool,
     /// The drive takes long to answer.
     pub(super) is_late: bool,
     /// The drive has acknowledged it.
@@ -91,14 +93,14 @@ pub struct FirstWord {
 }
 
 impl FirstWord {
-    /// Somebody did not wait for what comes of it.
-    pub fn interrupted(self) -> Self {
-        FirstWord { pressed: true, ..self }
+    /// Somebody did not wait for what comes of the one before this one, which is for `act`.
+    pub fn interrupted(self, act: Relief) -> Self {
+        FirstWord { pressed: true, strongest: act == Relief::DisableVoltage, ..self }
     }
 
-    /// Whether the drive has acknowledged a quick stop in place of the ramp.
-    pub fn is_quick_stop(&self) -> bool {
-        self.heard && self.instead
+    /// Whether only the strongest stop is stronger: it went out, or the drive has acknowledged a quick stop in place of the ramp.
+    pub fn leaves_the_strongest(&self) -> bool {
+        self.strongest || (self.heard && self.instead)
     }
 
     /// One of the kind of drive that has acknowledged it, if a standstill of these shows only for a while: then it is looked at before
@@ -292,7 +294,9 @@ impl<'m> Call<'m> {
     async fn turn(&mut self, session: &mut Session<'_>, registry: &Registry) -> Result<bool, AccessError> {
         let (by, tell) = (session.now() + TURN, self.tell);
         self.meet(session, registry).await?;
-        self.hears_late(session);
+        if session.is_shared() {
+            self.hears_late(session);
+        }
         if !self.goes_on() {
             return Ok(false);
         }
