@@ -205,7 +205,7 @@ impl Fdl {
 
     /// A question that nobody waits for any more may still be answered: not into that, and whether it was counted nobody knows.
     fn leave_alone(&mut self) {
-        let Some(open) = self.open.take().filter(|open| open.sent.is_some()) else { return };
+        let Some(open) = self.open.take().filter(|open| open.asked_times > 0) else { return };
         self.ready = self.ready.max(open.until + syn(self.line));
         self.counts.remove(&open.station);
     }
@@ -406,4 +406,52 @@ impl Conversation for Fdl {
 /// T_SYN on a line.
 pub(super) fn syn(line: LineSetting) -> Span {
     Span::from_micros((SYN_BITS * 1_000_000).div_ceil(u64::from(line.baud.max(1))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::Parity;
+
+    /// Who interrupts before a repeat goes out has a question that was perhaps heard: the counting begins again.
+    #[test]
+    fn a_question_that_was_given_up_before_its_repeat_leaves_no_count() {
+        let line = LineSetting::rtu(19_200, Parity::Even);
+        let mut fdl = Fdl::new(0, line, Timing::of(line), Tick::ZERO);
+        let mut now = Tick::ZERO;
+        let sent = |fdl: &mut Fdl, now: &mut Tick| loop {
+            match fdl.step(*now) {
+                Step::Send(bytes) => return bytes,
+                Step::Wait(until) => *now = until,
+                Step::Done(_) => {}
+            }
+        };
+        let diag = || Asked::service(Service::SlaveDiag, Vec::new());
+        fdl.ask(3, diag(), None, now);
+        let first = sent(&mut fdl, &mut now);
+        let station = Control::Reply { station: Station::Slave, status: Status::DataLow };
+        let reply = Frame {
+            to: 0,
+            from: 3,
+            control: station,
+            dsap: Some(62),
+            ssap: Some(60),
+            data: vec![0; 6],
+            is_fixed: false,
+        };
+        fdl.feed(now + Span::from_millis(20), &Telegram::Frame(reply).encode());
+        assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+        fdl.ask(3, diag(), None, now);
+        let second = sent(&mut fdl, &mut now);
+        assert_ne!(first, second, "the bit has changed");
+        // Its time is over, and its repeat waits for the line.
+        while let Step::Wait(until) = fdl.step(now) {
+            if fdl.open.as_ref().is_some_and(|open| open.sent.is_none()) {
+                break;
+            }
+            now = until;
+        }
+        fdl.ask(3, diag(), None, now);
+        assert_eq!(sent(&mut fdl, &mut now), first);
+    }
 }

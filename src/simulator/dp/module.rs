@@ -189,8 +189,10 @@ impl Module {
 
     /// Time passes: who has the motor goes on having it.
     pub(crate) fn catch_up(&mut self, now: Tick) {
-        if self.hand == Hand::Local {
-            self.local(now);
+        match self.hand {
+            Hand::Local => self.local(now),
+            Hand::Lost if !self.inverter.ordered => self.inverter.motor.rests(now),
+            Hand::Lost | Hand::Words => {}
         }
     }
 

@@ -66,6 +66,11 @@ impl Motor {
         }
     }
 
+    /// Loses its power once it has come to rest.
+    pub(crate) fn rests(&mut self, now: Tick) {
+        self.is_fed &= self.to != 0 || self.shaft(now) != 0;
+    }
+
     /// Keeps the frequency that it has.
     pub(crate) fn hold(&mut self, now: Tick) {
         if self.is_fed {

@@ -185,7 +185,11 @@ impl Server {
             let opened = self.opened;
             tokio::select! {
                 biased;
-                () = &mut stop => return Ok(()),
+                () = &mut stop => {
+                    // What nobody waits for happens all the same: a ramp that ends.
+                    bench.advance(self.now());
+                    return Ok(());
+                }
                 change = self.port.change() => match change? {
                     Change::Connected => note(Note::Connected),
                     Change::Left => {

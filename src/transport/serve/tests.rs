@@ -154,3 +154,32 @@ fn asked(client: &Client) -> [u8; REPLY.len()] {
     client.leave(stream);
     reply
 }
+
+/// A line on which nothing is to happen; how far it has come.
+struct Idle(Tick);
+
+impl Served for Idle {
+    fn allow(&mut self, _: Span) {}
+    fn master_sends(&mut self, _: Tick, _: LineSetting, _: &[u8]) {}
+    fn next_event(&self) -> Option<Tick> {
+        None
+    }
+    fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)> {
+        self.0 = to;
+        Vec::new()
+    }
+    fn line_of(&self, _: &[u8]) -> Option<LineSetting> {
+        None
+    }
+}
+
+#[test]
+fn the_bench_has_come_to_the_end_of_its_time_when_it_is_told_of() {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let mut line = Idle(Tick::ZERO);
+    runtime.block_on(async {
+        let mut server = Server::open(Place::Tcp { addr: "127.0.0.1:0".parse().unwrap() }).unwrap();
+        server.run(&mut line, Server::pause(Span::from_millis(100)), |_| {}).await.unwrap();
+    });
+    assert!(line.0 >= Tick::ZERO + Span::from_millis(100), "{:?}", line.0);
+}
