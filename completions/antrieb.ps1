@@ -915,6 +915,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;statemachine' {
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -963,6 +965,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;state' {
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -1949,6 +1953,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--step', '--step', [CompletionResultType]::ParameterName, 'With --view: the arrows change the setpoint by this')
             [CompletionResult]::new('--min', '--min', [CompletionResultType]::ParameterName, 'With --step: no lower than this')
             [CompletionResult]::new('--max', '--max', [CompletionResultType]::ParameterName, 'With --step: no higher than this')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -2008,6 +2014,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--step', '--step', [CompletionResultType]::ParameterName, 'With --view: the arrows change the setpoint by this')
             [CompletionResult]::new('--min', '--min', [CompletionResultType]::ParameterName, 'With --step: no lower than this')
             [CompletionResult]::new('--max', '--max', [CompletionResultType]::ParameterName, 'With --step: no higher than this')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')

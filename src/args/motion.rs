@@ -19,7 +19,7 @@ pub struct MotionArgs {
     /// Then ramp (default), quick-stop, coast or keep
     ///
     /// How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast,
-    /// keep. Another Ctrl-C takes the next stronger way.
+    /// keep. PROFIBUS: ramp (OFF1), coast (OFF3). Another Ctrl-C takes the next stronger way.
     #[arg(
         long,
         value_name = "STOP",
@@ -32,13 +32,14 @@ pub struct MotionArgs {
 
     /// Set the drive's own watchdog for the run
     ///
-    /// P.413, MBnode_guard: in RAM; given back behind --hold, a stop and a reset.
+    /// P.413, MBnode_guard: in RAM; given back behind --hold, a stop and a reset. PROFIBUS: that of the slave, 0.1 to 60 s, and
+    /// P.703 = 2 for the run where a lost bus would not stop the motor.
     #[arg(long, value_name = "TIME", value_parser = parse_span, hide_short_help = true, help_heading = "Run")]
     pub watchdog: Option<Span>,
 
     /// ACTIVE: take control with P.412 = 1 for the run
     ///
-    /// In RAM; given back behind --hold, a stop and a reset, where that starts nothing.
+    /// In RAM; given back behind --hold, a stop and a reset, where that starts nothing. PROFIBUS: P.928 = 1, given back.
     #[arg(long, help_heading = "Run")]
     pub take_control: bool,
 

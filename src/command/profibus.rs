@@ -1,11 +1,16 @@
 //! `profibus`: a line of it without a controller, and what a master has to be told of a Hitachi SJ2-PB.
 
 mod given;
+pub(super) mod job;
 pub(super) mod read;
+pub(super) mod run;
+mod show;
 mod taking;
+mod told;
 pub(super) mod write;
 
 pub use given::SlaveArgs;
+pub(super) use show::show;
 pub(super) use taking::refuse;
 
 use super::verb::{Verb, Working};

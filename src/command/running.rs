@@ -28,7 +28,8 @@ use done::Seen;
 use question::{nothing_stops_it, question};
 use report::{aftermath, report};
 pub(super) use several::stop_each;
-use unstopped::{but_said, unsent, unstopped};
+use unstopped::{but_said, unstopped};
+pub(super) use unstopped::{kept_back, unsent};
 use whom::{first_said, meant, stop_harder, whom};
 
 /// The modes of a family in which something is meant.

@@ -4,12 +4,14 @@ mod check;
 mod dry;
 mod guided;
 mod keys;
+mod over_profibus;
 mod shown;
 mod told;
 mod unit;
 mod wanted;
 mod zero;
 
+use super::profibus::SlaveArgs;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, offline, offline_family};
@@ -36,6 +38,8 @@ use wanted::{Spoken, Wanted, spoken, understand};
 /// left another setpoint that turns the shaft the other way, and stops several drives too (-a 1-5). Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
+///
+/// Over PROFIBUS (--protocol dp) a motor runs only while data are exchanged: Hz or %, with --enable --hold, or --jog.
 ///
 /// What the drive makes of it by its own settings (an ACTIVE adds its internal setpoint with P.434 = 3, and bounds it by
 /// P.418 and P.419) is worked out and told before you are asked. What stands in a drive from before and would turn the
@@ -113,6 +117,10 @@ pub struct Args {
     /// What the arrows of its keypad do.
     #[command(flatten)]
     pub keypad: Box<KeypadArgs>,
+
+    /// How a slave is taken.
+    #[command(flatten)]
+    pub slave: SlaveArgs,
 }
 
 /// What to wait for.
@@ -125,12 +133,14 @@ pub enum Until {
 impl Verb for Args {
     const NAME: &'static str = "sollwert";
     const TAKES: Takes = Takes::WRITES;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 sollwert",
         "antrieb --port sim -a 1 sollwert 25Hz --jog 5s --take-control --yes",
         "antrieb --port sim -a 1 sollwert --ramp 0Hz:9Hz:5s --hold --enable --dry-run",
         "antrieb -p sim -a 1 sollwert 9Hz --enable --hold --view --step 1Hz --dry-run",
         "antrieb --port sim -a 1 sollwert 0Hz",
+        "antrieb -p sim --protocol dp -a 3 sollwert 20Hz --jog 5s --take-control --yes",
     ];
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp, and --hold for \
@@ -153,6 +163,9 @@ impl Verb for Args {
 
 /// Shows the setpoints of every drive that was named, or gives one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if args.slave.is_meant(context.settings)? {
+        return over_profibus::run(args, context).await;
+    }
     super::movable(&*offline_family(context.settings, context.registry)?)?;
     let Some(spoken) = spoken(args)? else { return shown::show_all(context).await };
     // Refused before the port is opened if no drive that it could be understands it.

@@ -1,8 +1,10 @@
 //! `statemachine`: in which state is the drive, and walking it safely through its states.
 
 mod contacts;
+mod over_profibus;
 mod several;
 
+use super::profibus::SlaveArgs;
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
@@ -26,10 +28,16 @@ use clap::{Args as ClapArgs, Subcommand};
 /// at once, on several drives too (-a 1-5); everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 ///
+/// Over PROFIBUS (--protocol dp): `show`, the stops and `reset`, by the words of PROFIdrive; `sollwert` runs a motor.
+///
 /// Exit code of a stop of several: 0 if every shaft is proven to stand (behind `disable-voltage`, and where P.392 lets it coast: if every
 /// drive is proven to have no power), 9 if some are; if none is, that of the drive of which least is known. The page says it of each.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
+    /// How a slave is taken.
+    #[command(flatten)]
+    slave: SlaveArgs,
+
     #[command(subcommand)]
     action: Option<Action>,
 }
@@ -104,6 +112,7 @@ const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"
 impl Verb for Args {
     const NAME: &'static str = "statemachine";
     const TAKES: Takes = Takes::WRITES;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 statemachine show",
         "antrieb --port sim -a 1 statemachine shutdown --take-control --yes",
@@ -115,6 +124,7 @@ impl Verb for Args {
         "antrieb --port sim -a 1 statemachine reset --dry-run",
         "antrieb -p sim -a 1 statemachine goto switched-on --take-control --dry-run",
         "antrieb --port sim -a 1 statemachine contacts S2IND S3IND --dry-run",
+        "antrieb --port sim --protocol dp -a 3 statemachine disable",
     ];
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp; `reset` waits for the \
@@ -139,6 +149,9 @@ impl Verb for Args {
 
 /// Shows the state of every drive that was named, or walks one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if args.slave.is_meant(context.settings)? {
+        return over_profibus::run(args, context).await;
+    }
     let (slug, motion) = match &args.action {
         None | Some(Action::Show) => return show_all(context).await,
         Some(Action::Shutdown(motion)) => ("shutdown", motion),

@@ -8,15 +8,26 @@ mod line;
 mod live;
 mod phrase;
 mod read;
+mod run;
+mod shown;
+mod state;
+mod still;
 mod told;
 mod trouble;
+mod words;
 mod write;
 
-pub use exchange::Exchange;
+pub use ending::Ending;
+pub use exchange::{Exchange, WATCHDOG};
 pub use line::Line;
 pub use live::{everybody, live, questions};
 pub use read::Haul;
-pub use write::planned;
+pub use run::{Lending, Rights, Run};
+pub use shown::Shown;
+pub use state::of as state;
+pub use trouble::motion::coasting;
+pub use words::{Course, Seen, Wanted, words};
+pub use write::{cyclic, planned};
 
 use super::decode::hex_bytes;
 use crate::failure::{Class, Failure};

@@ -99,7 +99,7 @@ impl SimLink {
     }
 
     pub(super) fn is_paced(&self) -> bool {
-        self.pace.is_some()
+        self.pace.is_some() || witness::lets_time_pass()
     }
 
     /// The setting of what is sent and heard from now on.
@@ -170,6 +170,7 @@ pub mod witness {
         static CALLED: Cell<bool> = const { Cell::new(false) };
         static ADAPTER: Cell<Option<u64>> = const { Cell::new(None) };
         static ALONE: Cell<bool> = const { Cell::new(false) };
+        static PASSES: Cell<bool> = const { Cell::new(false) };
         static LEFT: RefCell<Vec<(Bench, Tick)>> = const { RefCell::new(Vec::new()) };
         static CAN: RefCell<Option<Can>> = const { RefCell::new(None) };
         static PROFIBUS: RefCell<Option<Profibus>> = const { RefCell::new(None) };
@@ -180,6 +181,15 @@ pub mod witness {
     pub fn call(attends: bool) {
         CALLED.set(attends);
         LEFT.take();
+    }
+
+    /// Time of a bench passes at a question, as it does on a line: whoever answers looks at the telegrams to know when.
+    pub fn time_passes(at_questions: bool) {
+        PASSES.set(at_questions);
+    }
+
+    pub(super) fn lets_time_pass() -> bool {
+        PASSES.get()
     }
 
     /// Pulls the adapter once so many telegrams have gone out on this thread; `None` leaves it in.

@@ -37,7 +37,7 @@ const ALIKE: &str = "
     acceleration an fdl generic manual pin profibus slaves status volatile
     gnd pe rxd txd
     operational rxpdos
-    ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
+    ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station zsw
 ";
 
 /// What stands in a German page as it is called everywhere: sources of the catalogue, and names it gives in English.
@@ -245,6 +245,22 @@ const WRONG: &[(u8, &str)] = &[
     (2, "decode basic-status nonsense"),
     (2, "decode telegram 10 08 02 49 53 16 --cfg ppo9"),
     (2, "--protocol dp read 480"),
+    (8, "-p sim --protocol dp -a 3 sollwert 20Hz --jog 5s"),
+    (8, "-p sim --protocol dp -a 3 --yes sollwert 20Hz --jog 1s"),
+    (7, "-p sim --protocol dp -a 3 --yes sollwert 51Hz --jog 1s"),
+    (8, "-p sim --protocol dp -a 3 --yes statemachine reset"),
+    (4, "-p sim --protocol dp -a 9 statemachine disable"),
+    (4, "-p sim --protocol dp -a 9 sollwert 0"),
+    (2, "-p sim --protocol dp -a 3 sollwert"),
+    (2, "-p sim --protocol dp -a 3 sollwert 20"),
+    (2, "-p sim --protocol dp -a 3 sollwert 500Hz --jog 1s"),
+    (2, "-p sim --protocol dp -a 3 sollwert 20Hz"),
+    (2, "-p sim --protocol dp -a 3 sollwert 20Hz --enable"),
+    (2, "-p sim --protocol dp -a 3 sollwert 20Hz --jog 1s --watchdog 2min"),
+    (2, "-p sim --protocol dp -a 3 sollwert 20Hz --jog 1s --on-exit keep"),
+    (2, "-p sim --protocol dp -a 3 statemachine enable"),
+    (2, "-p sim --protocol dp -a 3 statemachine disable --take-control"),
+    (2, "-p sim --protocol dp -a 1,3 statemachine disable"),
     (5, "--protocol dp decode telegram 55"),
     (5, "--protocol dp decode telegram 68 05 06 68"),
     (5, "--protocol dp decode telegram 10 08 02 49 53 17"),

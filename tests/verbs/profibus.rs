@@ -1,6 +1,10 @@
 //! Parameters over PROFIBUS, read and written: the slave is taken, held by the stop word, and let go, however the work ends; the line
 //! itself is asked.
 
+mod ends;
+mod rig;
+mod said;
+
 use crate::run::antrieb;
 use antrieb::simulator::Profibus;
 use antrieb::tick::{Span, Tick};

@@ -41,11 +41,11 @@ pub(in crate::command) async fn read(
         exchange.parting(&family).await
     };
     let done = done.await;
-    let left = exchange.leave().await;
+    let left = exchange.leave().await.failure;
     let told = done.as_ref().ok().cloned();
     let warnings = told.map(|message| Warning { code: "profibus.let_go".to_owned(), message }).into_iter().collect();
     let succeeded = haul.values.iter().filter(|value| value.error.is_none()).count();
     // What ended it counts before what is missing, and a slave that was not let go before both.
-    let failure = left.err().or(done.err()).or_else(|| summary(haul.failures, succeeded));
+    let failure = left.or(done.err()).or_else(|| summary(haul.failures, succeeded));
     Ok(Outcome { data: Some(Data::Read(Read { values: haul.values })), warnings, failure })
 }

@@ -3,7 +3,7 @@
 use super::addresses;
 use super::given::SlaveArgs;
 use crate::command::{Context, named_family};
-use crate::drive::profibus::{Exchange, Line};
+use crate::drive::profibus::{Exchange, Line, WATCHDOG};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Motion, Permit, Question};
 use crate::profile::Family;
@@ -35,7 +35,7 @@ pub(super) fn whom<'s>(slave: &'s SlaveArgs, context: &Context<'_>) -> Result<Wh
 impl Whom<'_> {
     /// Begins to exchange data with it.
     pub(super) fn exchange<'l, 'a>(&self, line: &'l mut Line<'a>, permit: &Permit<Motion>) -> Exchange<'l, 'a> {
-        Exchange::new(line, self.address, self.slave.user(), permit)
+        Exchange::new(line, self.address, self.slave.user(), WATCHDOG, permit)
     }
 }
 

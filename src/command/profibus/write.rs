@@ -58,8 +58,8 @@ pub(in crate::command) async fn write(
         exchange.parting(&family).await
     };
     let done = done.await;
-    let left = exchange.leave().await;
-    Ok(told(job, done, left.err()))
+    let left = exchange.leave().await.failure;
+    Ok(told(job, done, left))
 }
 
 /// What was typed, by the names of a family.

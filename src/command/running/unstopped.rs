@@ -6,7 +6,7 @@ use crate::gate::Relief;
 use crate::text::{Text, both};
 
 /// The failure of a stop for which no port could be opened: nothing went out.
-pub(super) fn unsent(failure: Failure) -> Failure {
+pub(in crate::command) fn unsent(failure: Failure) -> Failure {
     if failure.class != Class::Port {
         return failure;
     }
@@ -19,7 +19,16 @@ pub(super) fn unsent(failure: Failure) -> Failure {
         ),
         _ => stops_now(),
     };
-    warned(failure, &both!("no stop was sent", "es wurde kein Halt gesendet"), hint)
+    warned(failure, &no_stop(), hint)
+}
+
+/// The failure of a stop that did not go out, whatever kept it back.
+pub(in crate::command) fn kept_back(failure: Failure) -> Failure {
+    warned(failure, &no_stop(), stops_now())
+}
+
+fn no_stop() -> Text {
+    both!("no stop was sent", "es wurde kein Halt gesendet")
 }
 
 /// The danger first, with what became of the stop, and what ends it before any other hint.

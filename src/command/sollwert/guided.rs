@@ -2,6 +2,7 @@
 
 use super::{Args, Giving, Until, dry, spoken, understand};
 use crate::args::{KeypadArgs, MotionArgs, Settings};
+use crate::command::profibus::SlaveArgs;
 use crate::command::running::{self, Around, Plan};
 use crate::drive::Session;
 use crate::drive::motion::Motor;
@@ -28,6 +29,7 @@ impl Args {
             force: false,
             motion,
             keypad: Box::new(KeypadArgs { step: None, min: None, max: None }),
+            slave: SlaveArgs::default(),
         }
     }
 }

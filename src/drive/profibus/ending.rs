@@ -1,78 +1,186 @@
-//! The only end of an exchange: the stop word with control kept until the frequency is 0, then zero outputs, Clear, Unlock. Zero
-//! outputs alone are no stop.
+//! The only end of an exchange: the stop word with control kept until the frequency is 0, then what was lent is given back, then zero
+//! outputs, Clear, Unlock. Zero outputs alone are no stop.
 
-use super::exchange::{Exchange, STOP};
+use super::exchange::{Exchange, LOST, Lent, RIGHT};
 use super::trouble;
+use super::words::{Seen, Words};
 use crate::exchange::dp::{Cycle, Place, Request};
 use crate::failure::Failure;
+use crate::outcome::Change;
 use crate::protocol::dp::pkw::Pkw;
+use crate::text::Text;
 use crate::tick::{Span, Tick};
 
-/// So many cycles in a row with a frequency of 0, over this time, and the output is off.
-const ZEROS: u32 = 3;
-const QUIET: Span = Span::from_millis(100);
-/// So long a frequency may stay as it is before the stop is given up.
+/// So long a frequency may stay as it is before something stronger is done, and then before the stop is given up.
 const STUCK: Span = Span::from_secs(10);
-/// The output frequency, 0.01 Hz (SJ2-PB manual 5.3).
+/// So long a motor is watched whose control was given back.
+const WATCHED: Span = Span::from_millis(500);
+/// The output frequency, 0.01 Hz (5.3).
 const FREQUENCY: Place = Place { pnu: 614, element: None };
 
+/// How an exchange ended.
+#[derive(Debug, Default)]
+pub struct Ending {
+    /// The stop word went out until the frequency was 0.
+    pub is_dark: bool,
+    /// Whether the shaft stands; `None` where nothing tells.
+    pub standing: Option<bool>,
+    /// OFF3 went out.
+    pub coasted: bool,
+    /// A frequency was seen.
+    pub has_turned: bool,
+    /// What was changed for its time.
+    pub changed: Vec<Change>,
+    /// What came under the stop word last.
+    pub seen: Option<Seen>,
+    /// What is to be known of it besides.
+    pub notes: Vec<Text>,
+    /// Why it is no good end.
+    pub failure: Option<Failure>,
+}
+
 impl Exchange<'_, '_> {
-    /// Lets the slave go: the stop word until the frequency is 0, then zero outputs, Clear, Unlock. Nobody's interrupt keeps it from
-    /// that, and no silence that is shorter than the watchdog of the slave.
-    pub async fn leave(mut self) -> Result<(), Failure> {
+    /// Stops the motor, proves it, and lets the slave go. Nobody's interrupt from before keeps it from that; one that comes
+    /// meanwhile lets a motor that we have started coast.
+    pub async fn leave(mut self) -> Ending {
         self.insists = true;
         self.line.note_interrupts();
-        (self.word, self.pkw) = (STOP, Pkw::default());
+        self.words = if self.still.coasts { Words::COAST } else { Words::STOP };
+        self.pkw = Pkw::default();
         if !self.station.is_owned() {
-            return Ok(());
+            return Ending::default();
         }
-        let stopped = self.stop().await;
-        if stopped.is_ok() {
-            self.word = 0;
+        let stopped = match self.stop().await {
+            Err(why) if self.ours && why.code != trouble::NOT_STILL => Err(trouble::unreached(why, self.behind)),
+            done => done,
+        };
+        let returned = if stopped.is_ok() { self.give_back().await } else { Ok(()) };
+        let (standing, seen) = (self.still.standing().filter(|stands| stopped.is_ok() || !stands), self.seen);
+        let released = self.release(stopped.is_ok()).await;
+        Ending {
+            is_dark: stopped.is_ok() && seen.is_some(),
+            standing,
+            coasted: self.still.coasts,
+            has_turned: self.still.has_turned(),
+            changed: self.lent.iter().map(changed).collect(),
+            seen,
+            notes: std::mem::take(&mut self.notes),
+            failure: stopped.and(returned).and(released).err(),
+        }
+    }
+
+    async fn release(&mut self, is_still: bool) -> Result<(), Failure> {
+        if is_still {
+            self.words = Words { stw: 0, hsw: 0 };
             self.cycle().await?;
         }
-        self.station.release(stopped.is_ok());
-        let released = loop {
-            match self.cycle().await {
-                Ok(Cycle::Released) => break Ok(()),
-                Ok(_) => {}
-                Err(failure) => break Err(failure),
-            }
-        };
-        stopped.and(released)
+        self.station.release(is_still);
+        while self.cycle().await? != Cycle::Released {}
+        Ok(())
     }
 
     /// Proves under the stop word that the output is off, by HIW and by P.614, where that is told.
-    async fn stop(&mut self) -> Result<(), Failure> {
+    pub(super) async fn stop(&mut self) -> Result<(), Failure> {
         // Whom no exchange was reached with, no word of ours moves.
-        let Some(first) = self.actual else { return Ok(()) };
-        let (mut zeros, mut since) = (0, self.line.now());
-        let mut moved: (i16, Tick) = (first, since);
+        if self.seen.is_none() {
+            return Ok(());
+        }
+        let mut moved: (Option<i16>, Tick) = (None, self.line.now());
         loop {
             let Cycle::Inputs(_) = self.cycle().await? else { continue };
-            let (now, frequency) = (self.line.now(), self.actual.unwrap_or_default());
-            match frequency {
-                0 if zeros == 0 => (zeros, since) = (1, now),
-                0 => zeros += 1,
-                _ => zeros = 0,
+            let now = self.line.now();
+            if self.still.is_dark(now) && self.is_off().await? {
+                return Ok(());
             }
-            if zeros >= ZEROS && now.since(since) >= QUIET {
-                if self.is_off().await? && self.actual == Some(0) {
-                    return Ok(());
-                }
-                zeros = 0;
-            }
+            let frequency = self.seen.map(|seen| seen.hiw);
             if moved.0 != frequency {
                 moved = (frequency, now);
             } else if now.since(moved.1) > STUCK {
-                return Err(trouble::unproven(self.address(), frequency));
+                if !self.ours || self.still.coasts {
+                    return Err(trouble::unproven(self.address(), frequency.unwrap_or_default()));
+                }
+                (self.words, self.still.coasts, moved.1) = (Words::COAST, true, now);
             }
         }
     }
 
     /// Whether P.614 agrees. Where it is refused, HIW alone has told.
     async fn is_off(&mut self) -> Result<bool, Failure> {
-        let told = self.request(Request::read(FREQUENCY, self.line.now())).await?;
-        Ok(!matches!(told, crate::exchange::dp::Told::Value(frequency) if frequency & 0xFFFF != 0))
+        let told = self.read(FREQUENCY).await?;
+        Ok(told.is_err() || told.is_ok_and(|frequency| frequency & 0xFFFF == 0))
+    }
+
+    /// Changes a parameter for the time of the exchange.
+    pub(super) async fn lend(&mut self, index: u16, new: u16) -> Result<(), Failure> {
+        let place = Place { pnu: index, element: None };
+        let old = self.read(place).await??;
+        let old = u16::try_from(old & 0xFFFF).unwrap_or_default();
+        if old == new {
+            return Ok(());
+        }
+        // From here on it is to be given back, whatever becomes of it.
+        let stays = index == RIGHT && !self.still.is_dark(self.line.now());
+        self.lent.push(Lent { index, old, new, restored: false, stays });
+        self.set(place, new).await?;
+        if index == LOST {
+            self.behind = Some(new.into());
+        }
+        Ok(())
+    }
+
+    /// Gives back what was lent, the last of it first.
+    async fn give_back(&mut self) -> Result<(), Failure> {
+        for at in (0..self.lent.len()).rev() {
+            let Some(&Lent { index, old, new, stays, .. }) = self.lent.get(at) else { continue };
+            if stays {
+                self.notes.push(trouble::right_stays());
+                continue;
+            }
+            let place = Place { pnu: index, element: None };
+            self.set(place, old).await?;
+            let starts = index == RIGHT && self.starts_by_itself().await?;
+            if starts {
+                self.notes.push(trouble::right_again());
+                self.set(place, new).await?;
+                self.stop().await?;
+            }
+            self.lent.iter_mut().skip(at).take(1).for_each(|lent| lent.restored = !starts);
+        }
+        Ok(())
+    }
+
+    /// Whether somebody else starts the motor as soon as he may.
+    async fn starts_by_itself(&mut self) -> Result<bool, Failure> {
+        let begun = self.line.now();
+        while self.line.now().since(begun) < WATCHED {
+            if let Cycle::Inputs(_) = self.cycle().await?
+                && self.seen.is_some_and(|seen| seen.hiw != 0)
+            {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Writes a value and reads it back.
+    pub(super) async fn set(&mut self, place: Place, word: u16) -> Result<(), Failure> {
+        let told = self.request(Request::write(place, word, self.line.now())).await?;
+        let written = trouble::told(self.address(), place, told);
+        match self.read(place).await? {
+            Ok(bits) if bits & 0xFFFF == u32::from(word) => Ok(()),
+            Ok(bits) => Err(written.err().unwrap_or_else(|| trouble::differs(self.address(), place, bits))),
+            Err(unread) => Err(written.err().unwrap_or(unread)),
+        }
+    }
+}
+
+fn changed(lent: &Lent) -> Change {
+    Change {
+        param: lent.index.into(),
+        name: format!("P.{}", lent.index),
+        data_set: 0,
+        old: lent.old.into(),
+        new: lent.new.into(),
+        restored: lent.restored,
     }
 }

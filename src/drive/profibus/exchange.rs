@@ -5,23 +5,40 @@
 //! the last word). Where we die, the watchdog of the slave lets it go.
 
 use super::line::Line;
+use super::still::Still;
 use super::trouble;
+use super::words::{Seen, Words};
 use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble};
 use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::pkw::{self, Pkw};
+use crate::text::Text;
 use crate::tick::{Span, Tick};
 use std::pin::pin;
 
-/// OFF1, with control kept (SJ2-PB manual 4.1.2.1).
-pub(super) const STOP: u16 = 0x047E;
-/// The slave lets go of us behind this: 2 s, as factors of 10 ms.
-const WATCHDOG: [u8; 2] = [200, 1];
+/// A parameter that was changed for the time of the exchange.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lent {
+    pub(super) index: u16,
+    pub(super) old: u16,
+    pub(super) new: u16,
+    pub(super) restored: bool,
+    /// It stays as it is, because giving it back would start the motor.
+    pub(super) stays: bool,
+}
+
+/// Right to control (5.1), and what a lost connection does in both modes (5.2, 5.3).
+pub(super) const RIGHT: u16 = 928;
+pub(super) const LOST: u16 = 703;
+/// The slave lets go of us behind this, where nothing else was asked for.
+pub const WATCHDOG: Span = Span::from_secs(2);
+/// One step of the watchdog (IEC 61158-6-3).
+const STEP_MS: u64 = 10;
 /// So often a slave may leave Data_Exchange by itself.
 const MOST_LEFT: u32 = 5;
-/// So long nothing may be heard of a slave that was heard: longer than its watchdog, behind which it is led to Data_Exchange anew.
-const UNHEARD: Span = Span::from_secs(5);
+/// So much longer than its watchdog nothing may be heard of a slave that was heard: behind it, it is led to Data_Exchange anew.
+const BEYOND: Span = Span::from_secs(3);
 
 /// A slave that exchanges data.
 pub struct Exchange<'l, 'a> {
@@ -29,14 +46,23 @@ pub struct Exchange<'l, 'a> {
     address: u8,
     pub(super) station: Station,
     left: u32,
-    /// Control word; the setpoint is always 0.
-    pub(super) word: u16,
+    pub(super) words: Words,
     pub(super) pkw: Pkw,
-    /// Actual frequency as it came last.
-    pub(super) actual: Option<i16>,
+    /// What came last.
+    pub(super) seen: Option<Seen>,
+    pub(super) still: Still,
     heard: Tick,
+    /// So long nothing may be heard of it.
+    unheard: Span,
+    /// A start word went out, or the motor is to be stopped: whoever interrupts wants it to stop sooner.
+    pub(super) ours: bool,
     /// The end is on its way: no interrupt and no short silence keeps it from going out.
     pub(super) insists: bool,
+    pub(super) lent: Vec<Lent>,
+    /// What is to be known of its end besides.
+    pub(super) notes: Vec<Text>,
+    /// What the slave does with the motor if it loses us: P.703 as it stands, where it was told.
+    pub(super) behind: Option<u32>,
 }
 
 impl std::fmt::Debug for Exchange<'_, '_> {
@@ -46,10 +72,11 @@ impl std::fmt::Debug for Exchange<'_, '_> {
 }
 
 impl<'l, 'a> Exchange<'l, 'a> {
-    /// Takes the slave; PPO1, with these user parameters. It must be left by [`Exchange::leave`], however the work ends.
-    pub fn new(line: &'l mut Line<'a>, address: u8, user: Vec<u8>, _permit: &Permit<Motion>) -> Self {
+    /// Takes the slave; PPO1, with these user parameters, and this watchdog. It must be left by [`Exchange::leave`], however the work
+    /// ends.
+    pub fn new(line: &'l mut Line<'a>, address: u8, user: Vec<u8>, watchdog: Span, _permit: &Permit<Motion>) -> Self {
         let layout = Layout::Ppo(1);
-        let setup = Setup { watchdog: WATCHDOG, user, cfg: layout.bytes().to_vec() };
+        let setup = Setup { watchdog: factors(watchdog), user, cfg: layout.bytes().to_vec() };
         let now = line.now();
         let station = Station::new(address, setup, vec![0; layout.length()], now);
         Exchange {
@@ -57,17 +84,28 @@ impl<'l, 'a> Exchange<'l, 'a> {
             address,
             station,
             left: 0,
-            word: STOP,
+            words: Words::STOP,
             pkw: Pkw::default(),
-            actual: None,
+            seen: None,
+            still: Still::default(),
             heard: now,
+            unheard: watchdog + BEYOND,
+            ours: false,
             insists: false,
+            lent: Vec::new(),
+            notes: Vec::new(),
+            behind: None,
         }
     }
 
     /// Address of the slave.
-    pub(super) fn address(&self) -> u8 {
+    pub fn address(&self) -> u8 {
         self.address
+    }
+
+    /// What came last; `None` before the first exchange.
+    pub fn seen(&self) -> Option<Seen> {
+        self.seen
     }
 
     /// One exchange on the line.
@@ -83,7 +121,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
     async fn once(&mut self) -> Result<Cycle, Failure> {
         let waits = self.station.waits();
         self.line.rest(waits).await?;
-        put(self.station.outputs(), self.pkw, self.word);
+        put(self.station.outputs(), self.pkw, self.words);
         let (station, asked) = self.station.question();
         let reply = self.line.ask(station, asked, None).await?;
         let now = self.line.now();
@@ -97,8 +135,11 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 }
             }
             Cycle::Inputs(data) => {
-                let word = data.get(pkw::LENGTH + 2..pkw::LENGTH + 4).and_then(|word| word.try_into().ok());
-                self.actual = word.map(i16::from_be_bytes);
+                if let Some(&[a, b, c, d]) = data.get(pkw::LENGTH..pkw::LENGTH + 4) {
+                    let seen = Seen { zsw: u16::from_be_bytes([a, b]), hiw: i16::from_be_bytes([c, d]) };
+                    self.still.sees(now, seen);
+                    self.seen = Some(seen);
+                }
             }
             Cycle::Prepared | Cycle::Released => {}
         }
@@ -106,14 +147,18 @@ impl<'l, 'a> Exchange<'l, 'a> {
     }
 
     /// Whether it goes on in spite of it. A slave that has exchanged data may miss some; its watchdog is shorter than what is borne.
+    /// Who interrupts the end wants the motor to stop sooner.
     fn bears(&mut self, failure: &Failure) -> bool {
         match failure.class {
             Class::Interrupted if self.insists => {
                 self.line.note_interrupts();
+                if self.ours && !self.still.is_dark(self.line.now()) {
+                    (self.words, self.still.coasts) = (Words::COAST, true);
+                }
                 true
             }
-            Class::Silence | Class::Garbled if self.insists || self.actual.is_some() => {
-                self.line.now().since(self.heard) < UNHEARD
+            Class::Silence | Class::Garbled if self.insists || self.seen.is_some() => {
+                self.line.now().since(self.heard) < self.unheard
             }
             _ => false,
         }
@@ -185,9 +230,32 @@ impl<'l, 'a> Exchange<'l, 'a> {
     }
 }
 
-/// Puts a PKW block and a control word into the outputs of PPO1, with a setpoint of 0.
-fn put(outputs: &mut [u8], pkw: Pkw, word: u16) {
-    let [high, low] = word.to_be_bytes();
-    let bytes = pkw.encode().into_iter().chain([high, low, 0, 0]);
+/// The factors of a watchdog that is no shorter; at most 650 s.
+fn factors(watchdog: Span) -> [u8; 2] {
+    let steps = watchdog.as_millis().div_ceil(STEP_MS).max(1);
+    let second = steps.div_ceil(255);
+    let first = steps.div_ceil(second.max(1));
+    [first, second].map(|factor| u8::try_from(factor).unwrap_or(u8::MAX))
+}
+
+/// Puts a PKW block and words into the outputs of PPO1.
+fn put(outputs: &mut [u8], pkw: Pkw, words: Words) {
+    let bytes = pkw.encode().into_iter().chain(words.stw.to_be_bytes()).chain(words.hsw.to_be_bytes());
     outputs.iter_mut().zip(bytes).for_each(|(own, byte)| *own = byte);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_watchdog_is_never_shorter_than_asked_for() {
+        for (ms, expected) in
+            [(1, [1, 1]), (2_000, [200, 1]), (2_550, [255, 1]), (2_560, [128, 2]), (60_000, [250, 24])]
+        {
+            let got = factors(Span::from_millis(ms));
+            assert_eq!(got, expected);
+            assert!(u64::from(got[0]) * u64::from(got[1]) * STEP_MS >= ms);
+        }
+    }
 }

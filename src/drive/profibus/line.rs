@@ -100,6 +100,11 @@ impl<'a> Line<'a> {
         Ok(())
     }
 
+    /// Time since 1970 of the moment 0, where a clock tells.
+    pub(super) fn since_1970(&self) -> Option<Span> {
+        self.link.since_1970()
+    }
+
     /// Who interrupts.
     pub(super) fn interrupt(&self) -> Interrupt {
         self.interrupt.clone()
@@ -108,6 +113,11 @@ impl<'a> Line<'a> {
     /// Whether its time goes on by waiting on it alone.
     pub(super) fn stands_still(&self) -> bool {
         self.link.stands_still()
+    }
+
+    /// Lets the time of the bench follow the wall clock from now on.
+    pub fn pace(&mut self) {
+        self.link.pace();
     }
 
     /// Takes note of who interrupted so far: the line is used on, for what must still go out.

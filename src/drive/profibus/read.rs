@@ -1,6 +1,6 @@
 //! Values of an inverter by PKW, and what is to be known before it is let go.
 
-use super::exchange::Exchange;
+use super::exchange::{Exchange, LOST};
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
 use crate::exchange::dp::Place;
@@ -22,8 +22,9 @@ pub struct Haul {
 /// Which series it is (SJ2-PB manual 5.3), with the words of `--drive`.
 const SERIES: Place = Place { pnu: 624, element: None };
 const NAMES: [(u32, &str); 3] = [(0x10, "sj200"), (0x20, "l200"), (0x40, "x200")];
-/// What decides on the motor once nobody exchanges data: P.703, A002, A001 (5.2; 5.5 index 89, 88).
-const BEHIND: [u32; 3] = [703, 89, 88];
+/// What decides on the motor once nobody exchanges data: P.703, P.620 (Basic mode; whether it counts here, no source tells), A002, A001
+/// (5.2, 5.3; 5.5 index 89, 88).
+const BEHIND: [u32; 4] = [703, 620, 89, 88];
 
 impl Exchange<'_, '_> {
     /// The family of the inverter: the one that was named, or what P.624 tells.
@@ -74,7 +75,11 @@ impl Exchange<'_, '_> {
         let mut told = Vec::new();
         for param in BEHIND.into_iter().filter_map(|id| family.params.get(&id)) {
             let (id, name) = (param.id, &param.name);
-            told.push(match self.read(place(id, None)).await? {
+            let read = self.read(place(id, None)).await?;
+            if id == u32::from(LOST) {
+                self.behind = read.as_ref().ok().map(|raw| raw & 0xFF);
+            }
+            told.push(match read {
                 Ok(raw) => match family.text_of(param, i64::from(raw)) {
                     Some(text) => {
                         both!("{name} (P.{id}) = {raw}: {text}", "{name} (P.{id}) = {raw}: {text}", name, text)

@@ -6,7 +6,10 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Hex;
 use crate::text::both;
 
+pub(super) mod motion;
+
 pub(super) use crate::drive::trouble::{interrupted, link};
+pub(super) use motion::*;
 
 /// Another master was heard.
 pub(super) fn other_master(master: u8) -> Failure {
@@ -131,13 +134,16 @@ pub(super) fn differs(address: u8, place: Place, bits: u32) -> Failure {
 }
 
 /// The motor was not seen standing.
+pub(super) const NOT_STILL: &str = "forbidden.not_still";
+
+/// The motor was not seen standing.
 pub(super) fn unproven(address: u8, actual: i16) -> Failure {
     let word = format!("{actual:04X}h");
     let message = both!(
         "station {address}: the stop word goes out, but the frequency stays at {word} (HIW): THE MOTOR MAY TURN",
         "Station {address}: das Stoppwort geht hinaus, aber die Frequenz bleibt bei {word} (HIW): DER MOTOR KANN DREHEN"
     );
-    Failure::new(Class::Forbidden, "forbidden.not_still", message).with("address", address).hint(both!(
+    Failure::new(Class::Forbidden, NOT_STILL, message).with("address", address).hint(both!(
         "it may be run by its terminals or its keypad (P.928 is not 1 then); stop it there",
         "vielleicht fährt er über Klemmen oder Bedienfeld (P.928 ist dann nicht 1); dort anhalten"
     ))

@@ -56,6 +56,8 @@ pub(crate) enum Event {
     Trip,
     /// The start contact.
     Contact(bool),
+    /// The wire to the module is cut, or whole again.
+    Cut(bool),
 }
 
 /// A module as it is built.
@@ -243,6 +245,7 @@ impl Profibus {
                 match event {
                     Event::Trip => slave.trips(now),
                     Event::Contact(is_closed) => slave.module.contact(now, is_closed),
+                    Event::Cut(is_cut) => slave.is_cut = is_cut,
                 }
             }
         }
@@ -286,7 +289,7 @@ impl Profibus {
         }
         let Some(frame) = frame else { return };
         self.received += 1;
-        for (place, slave) in self.slaves.iter_mut().enumerate() {
+        for (place, slave) in self.slaves.iter_mut().enumerate().filter(|(_, slave)| !slave.is_cut) {
             if let Some(reply) = slave.hear(slot.end, frame) {
                 let pause = TSDR + self.dice.below(TSDR_VARIES + 1);
                 self.replies.push((slot.end + bits(self.line, pause), place, reply));

@@ -48,6 +48,8 @@ pub(crate) struct Slave {
     last: Option<Answered>,
     /// Off, or reading the inverter, until then.
     pub(crate) up: Tick,
+    /// Nothing comes to it, and nothing of it comes to anybody.
+    pub(crate) is_cut: bool,
 }
 
 /// Bits of the first and second byte of Slave_Diag (IEC 61158-6-3).
@@ -91,6 +93,7 @@ impl Slave {
             configured: None,
             last: None,
             up,
+            is_cut: false,
         }
     }
 

@@ -58,6 +58,7 @@ struct EventTable {
     #[serde(default)]
     trip: bool,
     contact: Option<bool>,
+    cut: Option<bool>,
 }
 
 /// Speeds that a slave finds by itself (fieldbus facts: what adapters reach).
@@ -124,6 +125,7 @@ impl BenchFile<'_> {
             let at = Tick::ZERO + self.time("at", &event.at)?;
             events.extend(event.trip.then_some((at, Event::Trip)));
             events.extend(event.contact.map(|is_closed| (at, Event::Contact(is_closed))));
+            events.extend(event.cut.map(|is_cut| (at, Event::Cut(is_cut))));
         }
         Ok(Setup { kind, address, ident: row.ident.unwrap_or(IDENT), readings, set, events })
     }

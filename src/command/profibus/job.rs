@@ -1,0 +1,89 @@
+//! What a motor is to do over PROFIBUS, as it was typed.
+
+use super::given::SlaveArgs;
+use crate::args::{MotionArgs, StopArg};
+use crate::drive::profibus::Wanted;
+use crate::failure::{Class, Failure};
+use crate::gate::Relief;
+use crate::profile::value::{format_decimal, parse_decimal};
+use crate::text::{Text, both};
+
+/// What a motor is to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::command) enum Action {
+    /// Runs as long as this program holds it.
+    Run(Wanted),
+    /// Only takes motion away.
+    Stop(Relief),
+    /// Acknowledges a fault.
+    Reset,
+}
+
+/// What was typed for it.
+pub(in crate::command) struct Job<'j> {
+    pub(in crate::command) action: Action,
+    /// Word for JSON.
+    pub(in crate::command) word: &'static str,
+    pub(in crate::command) motion: &'j MotionArgs,
+    pub(in crate::command) slave: &'j SlaveArgs,
+}
+
+/// A setpoint as it was typed: `20Hz`, `-12.5Hz`, `30%`.
+pub(in crate::command) fn wanted(text: &str) -> Result<Wanted, Failure> {
+    let text = text.trim();
+    let of = |number: &str| parse_decimal(number.trim(), 2).ok();
+    let hertz = text.strip_suffix("Hz").or_else(|| text.strip_suffix("hz")).and_then(of).map(Wanted::Hertz);
+    let percent = || text.strip_suffix('%').and_then(of).map(Wanted::Percent);
+    let zero = || of(text).filter(|value| *value == 0).map(Wanted::Hertz);
+    hertz.or_else(percent).or_else(zero).ok_or_else(|| {
+        usage(both!(
+            "expected a setpoint such as 20Hz, -12.5Hz or 30%, got '{text}'",
+            "erwartet: ein Sollwert wie 20Hz, -12.5Hz oder 30%; angegeben: '{text}'"
+        ))
+    })
+}
+
+/// Whether a setpoint takes motion away only.
+pub(in crate::command) fn is_zero(wanted: Wanted) -> bool {
+    matches!(wanted, Wanted::Hertz(0) | Wanted::Percent(0))
+}
+
+pub(super) fn usage(message: Text) -> Failure {
+    Failure::new(Class::Usage, "usage.setpoint", message)
+}
+
+impl Job<'_> {
+    /// Whether it only takes motion away.
+    pub(super) fn is_stop(&self) -> bool {
+        matches!(self.action, Action::Stop(_))
+    }
+
+    /// How it ends, by the words of `--on-exit`.
+    pub(super) fn stop(&self) -> &'static str {
+        let coasts = match self.action {
+            Action::Stop(act) => act == Relief::DisableVoltage,
+            Action::Run(_) => self.motion.on_exit == StopArg::Coast,
+            Action::Reset => false,
+        };
+        if coasts { "coast" } else { "ramp" }
+    }
+
+    pub(super) fn why(&self) -> Text {
+        match self.action {
+            Action::Run(_) => both!(
+                "to run its motor; you are asked again before",
+                "um ihren Motor zu fahren; davor wird erneut gefragt"
+            ),
+            Action::Stop(_) => both!("to stop its motor", "um ihren Motor anzuhalten"),
+            Action::Reset => both!("to acknowledge its fault", "um ihre Störung zu quittieren"),
+        }
+    }
+}
+
+/// How a setpoint is said.
+pub(super) fn spoken(wanted: Wanted) -> String {
+    match wanted {
+        Wanted::Hertz(value) => format!("{} Hz", format_decimal(value, 2)),
+        Wanted::Percent(value) => format!("{} %", format_decimal(value, 2)),
+    }
+}

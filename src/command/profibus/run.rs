@@ -1,0 +1,240 @@
+//! `sollwert` and `statemachine` with PROFIBUS spoken: a motor is run, stopped, reset and looked at by the words of PROFIdrive, and
+//! every end is the same: the stop word until the frequency is 0, then zero outputs, Clear, Unlock.
+
+use super::job::{Action, Job, spoken, usage};
+use super::open;
+use super::taking::{Whom, question, whom};
+use super::told::{Told, report};
+use crate::args::{MotionArgs, StopArg};
+use crate::command::running::unsent;
+use crate::command::{Context, asking};
+use crate::drive::profibus::{self, Course, Exchange, Lending, Rights, Shown, WATCHDOG, Wanted};
+use crate::failure::{Class, Failure};
+use crate::gate::{self, Ask, Hazard, Motion, Permit, Question, Relief};
+use crate::outcome::{Data, Event, Outcome, Plan};
+use crate::profile::Family;
+use crate::profile::value::format_decimal;
+use crate::text::{Text, both};
+use crate::tick::Span;
+use std::rc::Rc;
+
+/// How long is waited for a state, where nothing else was asked for.
+const WAIT: Span = Span::from_secs(3);
+/// The watchdog of a slave: its least and its longest here.
+const SHORTEST: Span = Span::from_millis(100);
+const LONGEST: Span = Span::from_secs(60);
+
+/// Does it with one inverter.
+pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let whom = whom(job.slave, context)?;
+    let watchdog = watchdog(job.motion)?;
+    match job.action {
+        Action::Run(wanted) => demands(job.motion, wanted)?,
+        Action::Stop(_) | Action::Reset => super::refuse(&[("--take-control", job.motion.take_control)])?,
+    }
+    if context.settings.dry_run {
+        return Ok(Outcome::of(Data::Plan(dry_run(job, &whom))));
+    }
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
+    let permit = match job.action {
+        Action::Stop(act) => {
+            // A stop goes out and is proven whether or not somebody reads what comes of it.
+            interrupt.hear_only_keys();
+            act.permit()
+        }
+        Action::Reset | Action::Run(_) => {
+            asking::off_line(interrupt, *ask, &question(whom.address, &job.why())).await?
+        }
+    };
+    let line = open(job.slave.slot_time, (settings, registry), interrupt, *observe).await;
+    let mut line = line.map_err(|failure| if job.is_stop() { unsent(failure) } else { failure })?;
+    if let Action::Run(_) = job.action {
+        line.pace();
+    }
+    let mut exchange = Exchange::new(&mut line, whom.address, job.slave.user(), watchdog, &permit);
+    let (mut told, mut family) = (Told::default(), whom.presumed.clone());
+    let done = async {
+        if let Action::Stop(act) = job.action {
+            exchange.stops(act == Relief::DisableVoltage).await?;
+        }
+        family = exchange.family(whom.named.clone(), registry).await?;
+        told.parting = Some(exchange.parting(&family).await?);
+        told.from = exchange.seen();
+        match job.action {
+            Action::Stop(_) => Ok(()),
+            Action::Reset => exchange.reset(WAIT, &mut told.run).await,
+            Action::Run(wanted) => run_it(&mut exchange, job, (&whom, &family), wanted, *ask, &mut told).await,
+        }
+    };
+    let done = done.await;
+    if job.stop() == "coast" {
+        exchange.coasts();
+    }
+    let ending = exchange.leave().await;
+    Ok(report(job, (whom.address, &family), told, done, ending))
+}
+
+/// Looks at what decides on a run, asks with all of that, and runs.
+async fn run_it(
+    exchange: &mut Exchange<'_, '_>,
+    job: &Job<'_>,
+    (whom, family): (&Whom<'_>, &Rc<Family>),
+    wanted: Wanted,
+    ask: &mut dyn Ask,
+    told: &mut Told,
+) -> Result<(), Failure> {
+    let rights = exchange.rights().await?;
+    let lending = rights.lending(job.motion.take_control, job.motion.watchdog.is_some());
+    let question = asks(job, whom, wanted, (&rights, lending), told);
+    let agreed = exchange.during(gate::ask(ask, &question)).await;
+    let agreed = agreed.map_err(|failure| match failure.class {
+        Class::Interrupted => asking::interrupted(),
+        _ => failure,
+    });
+    let _agreed: Permit<Motion> = agreed?.map_err(asking::denied)?;
+    let wait = job.motion.wait.unwrap_or(WAIT);
+    let mut shown = Shown::begin(exchange, family, job.word, (wanted, job.stop()));
+    exchange.run(wanted, (&rights, lending), (wait, job.motion.duration), (&mut told.run, &mut shown)).await
+}
+
+/// What a run over PROFIBUS needs, and what it does not know.
+fn demands(motion: &MotionArgs, wanted: Wanted) -> Result<(), Failure> {
+    let is_beyond = |value: i64, most: i64| value.abs() > most;
+    let (is_wrong, most) = match wanted {
+        Wanted::Hertz(value) => (is_beyond(value, 40_000), "400Hz"),
+        Wanted::Percent(value) => (is_beyond(value, 10_000), "100%"),
+    };
+    if is_wrong {
+        return Err(usage(both!("expected at most {most}", "erwartet: höchstens {most}")));
+    }
+    super::refuse(&[
+        ("--view", motion.view),
+        ("--dead-man", motion.dead_man),
+        ("--on-exit quick-stop", motion.on_exit == StopArg::QuickStop),
+        ("--on-exit keep", motion.on_exit == StopArg::Keep),
+    ])?;
+    if motion.hold {
+        return Ok(());
+    }
+    let message = both!(
+        "over PROFIBUS a motor runs only while this program exchanges data: --hold is missing",
+        "am PROFIBUS läuft ein Motor nur, solange dieses Programm Daten austauscht: --hold fehlt"
+    );
+    Err(Failure::new(Class::Usage, "usage.hold", message)
+        .hint(both!("add --enable --hold, and --duration 5s", "--enable --hold angeben, und --duration 5s")))
+}
+
+fn watchdog(motion: &MotionArgs) -> Result<Span, Failure> {
+    let Some(span) = motion.watchdog else { return Ok(WATCHDOG) };
+    if (SHORTEST..=LONGEST).contains(&span) {
+        return Ok(span);
+    }
+    let message = both!(
+        "--watchdog: expected {SHORTEST} to {LONGEST} over PROFIBUS, got {span}",
+        "--watchdog: am PROFIBUS {SHORTEST} bis {LONGEST}; angegeben: {span}"
+    );
+    Err(Failure::new(Class::Usage, "usage.watchdog", message))
+}
+
+/// The question before a motor runs, with everything that is changed for it.
+fn asks(
+    job: &Job<'_>,
+    whom: &Whom<'_>,
+    wanted: Wanted,
+    (rights, lending): (&Rights, Lending),
+    told: &Told,
+) -> Question {
+    let (address, setpoint) = (whom.address, spoken(wanted));
+    let raw = |value: Option<u32>| value.map_or_else(|| "?".to_owned(), |value| value.to_string());
+    let mut details: Vec<Text> = told.parting.clone().into_iter().collect();
+    if lending.control {
+        details.push(both!(
+            "P.928 {old} -> 1 for the run (control from the bus), given back afterwards",
+            "P.928 {old} -> 1 für den Lauf (Steuern über den Bus), danach zurückgegeben",
+            old = raw(rights.right)
+        ));
+    }
+    if lending.stops {
+        details.push(both!(
+            "P.703 {old} -> 2 for the run (a lost bus stops the motor), given back afterwards",
+            "P.703 {old} -> 2 für den Lauf (verlorener Bus hält den Motor an), danach zurückgegeben",
+            old = raw(rights.lost)
+        ));
+    } else if !rights.stops() {
+        details.push(both!(
+            "P.703 = {old}: if this program dies, a lost bus may not stop the motor; --watchdog 2s makes it",
+            "P.703 = {old}: stirbt dieses Programm, hält der verlorene Bus den Motor vielleicht nicht an; --watchdog 2s sorgt dafür",
+            old = raw(rights.lost)
+        ));
+    }
+    if let Wanted::Hertz(_) = wanted {
+        let maxima = rights.maxima.iter().map(|maximum| format_decimal(*maximum, 2)).collect::<Vec<_>>().join(", ");
+        details.push(both!(
+            "the setpoint is a part of A004 ({maxima} Hz by its raw value): it is measured at a small setpoint first",
+            "der Sollwert ist ein Teil von A004 (nach dem Rohwert {maxima} Hz): gemessen wird zuerst bei kleinem Sollwert"
+        ));
+    }
+    let stop = match job.motion.on_exit {
+        StopArg::Coast => {
+            both!("OFF3: it coasts (by the norm: a quick stop)", "OFF3: er läuft aus (nach Norm: Schnellhalt)")
+        }
+        _ => both!("OFF1: the ramp F003", "OFF1: die Rampe F003"),
+    };
+    details.push(both!(
+        "it is stopped when this program ends ({stop})",
+        "er wird angehalten, wenn dieses Programm endet ({stop})",
+        stop
+    ));
+    let title = both!(
+        "station {address} on PROFIBUS: the motor runs, setpoint {setpoint}",
+        "Station {address} am PROFIBUS: der Motor läuft, Sollwert {setpoint}"
+    );
+    let mut hazards = vec![Hazard::Motion];
+    if lending != Lending::default() {
+        hazards.insert(0, Hazard::Write);
+    }
+    Question { hazards, title, details }
+}
+
+fn dry_run(job: &Job<'_>, whom: &Whom<'_>) -> Plan {
+    let address = whom.address;
+    let coasts = job.stop() == "coast";
+    let words = profibus::words(match job.action {
+        Action::Run(wanted) => Course::Run(wanted, coasts),
+        Action::Stop(_) => Course::Stop(coasts),
+        Action::Reset => Course::Reset,
+    });
+    let telegrams = words.iter().map(|(stw, hsw)| profibus::cyclic(address, (*stw, *hsw), &whom.presumed)).collect();
+    let mut notes = vec![both!(
+        "station {address} is taken (Set_Prm with a watchdog, PPO1); these words follow one another; then zero outputs, Clear, Unlock",
+        "Station {address} wird übernommen (Set_Prm mit Überwachung, PPO1); diese Wörter folgen aufeinander; dann Ausgänge auf null, \
+         Clear, Unlock"
+    )];
+    if job.motion.take_control {
+        notes.push(both!(
+            "P.928 is set to 1 first, where it is not, and given back behind the stop word",
+            "P.928 wird zuerst auf 1 gesetzt, wo es das nicht ist, und nach dem Stoppwort zurückgegeben"
+        ));
+    }
+    if job.motion.watchdog.is_some() {
+        notes.push(both!(
+            "P.703 is set to 2 first, where a lost bus would not stop the motor, and given back behind the stop word",
+            "P.703 wird zuerst auf 2 gesetzt, wo ein verlorener Bus den Motor nicht anhielte, und nach dem Stoppwort zurückgegeben"
+        ));
+    }
+    if let Action::Run(Wanted::Hertz(_)) = job.action {
+        notes.push(both!(
+            "the setpoint shown is the one at which the scale is measured; that of the run follows from A004 and P.611",
+            "der gezeigte Sollwert ist der, bei dem der Maßstab gemessen wird; der des Laufs folgt aus A004 und P.611"
+        ));
+    }
+    Plan { dry_run: true, telegrams, notes }
+}
+
+/// Tells what the stop is that goes out, where another one was asked for.
+pub(in crate::command) fn no_quick_stop(observe: &mut dyn FnMut(Event)) {
+    observe(Event::Note(both!(
+        "no source knows a quick stop by the control word of an SJ2-PB: OFF1 goes out, the ramp F003",
+        "keine Quelle kennt einen Schnellhalt im Steuerwort eines SJ2-PB: hinaus geht OFF1, die Rampe F003"
+    )));
+}

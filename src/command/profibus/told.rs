@@ -1,0 +1,111 @@
+//! What came of a run over PROFIBUS, as it is reported, and what is shown of it meanwhile.
+
+use super::job::{Action, Job};
+use crate::command::running::kept_back;
+use crate::drive::profibus::{Ending, Run, Seen, Wanted, coasting, state};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Decimal, Motion, Outcome, Setpoint, Stop};
+use crate::profile::Family;
+use crate::text::{Text, both};
+
+/// What was told before, and what a run came to.
+#[derive(Debug, Default)]
+pub(super) struct Told {
+    /// What decides on the motor once the slave is let go.
+    pub(super) parting: Option<Text>,
+    pub(super) from: Option<Seen>,
+    pub(super) run: Run,
+}
+
+/// The setpoint word (5.2).
+const HSW: u32 = 700;
+
+pub(super) fn report(
+    job: &Job<'_>,
+    (address, family): (u8, &Family),
+    told: Told,
+    done: Result<(), Failure>,
+    ending: Ending,
+) -> Outcome {
+    let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
+    let Ending { is_dark, standing, coasted, changed, seen, notes, failure: left, .. } = ending;
+    let because = match &done {
+        Ok(()) => "end",
+        Err(failure) if failure.class == Class::Interrupted => "interrupted",
+        Err(_) => "error",
+    };
+    let choice = job.stop();
+    let is_unproven = is_dark && has_turned && choice == "ramp" && standing != Some(true);
+    let mut failure = match (left, done.err()) {
+        (Some(left), Some(why)) if left.code != why.code => Some(beside(left, &why)),
+        (left, done) => left.or(done),
+    };
+    if failure.is_none() && is_unproven {
+        failure = Some(coasting(address));
+    }
+    if job.is_stop() && seen.is_none() {
+        failure = failure.map(kept_back);
+    }
+    let stop = Stop {
+        choice,
+        escalated: (coasted && choice != "coast").then_some("coast"),
+        because,
+        acknowledged: is_dark,
+        standing,
+        state: seen.map(|seen| state(seen.zsw)),
+        note: (is_dark && has_turned && standing.is_none()).then(off),
+    };
+    let data = Motion {
+        address,
+        drive: family.drive.clone(),
+        action: job.word.to_owned(),
+        mode: is_run.then(|| "frequency".to_owned()),
+        from: told.from.map(|seen| state(seen.zsw)),
+        to: seen.map(|seen| state(seen.zsw)),
+        steps: told.run.steps.clone(),
+        setpoint: setpoint(job, &told.run),
+        changed,
+        watchdog_s: None,
+        stop: Some(stop),
+        running: seen.map(|_| !is_dark),
+        standing,
+        idle: !has_turned,
+        notes: told.parting.into_iter().chain(notes).collect(),
+    };
+    Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
+}
+
+/// What is known of a shaft whose output went dark before it stood.
+fn off() -> Text {
+    both!(
+        "the output is off, and whether the shaft stands nothing tells",
+        "der Ausgang ist aus; ob die Welle steht, sagt nichts"
+    )
+}
+
+fn beside(left: Failure, why: &Failure) -> Failure {
+    let mut left = left;
+    left.message = Text::join([&left.message, &why.message], "; ");
+    left
+}
+
+fn setpoint(job: &Job<'_>, run: &Run) -> Option<Setpoint> {
+    let Action::Run(wanted) = job.action else { return None };
+    run.reached?;
+    let (raw, unit, full) = match wanted {
+        Wanted::Hertz(raw) => (raw, "Hz", run.maximum),
+        Wanted::Percent(raw) => (raw, "%", Some(10_000)),
+    };
+    // 4000h is 100 % of A004.
+    let actual = run.actual.zip(full).map(|(hiw, full)| i64::from(hiw) * full / 0x4000);
+    Some(Setpoint {
+        param: HSW,
+        value: Decimal { raw, decimals: 2 },
+        denominator: None,
+        effective: None,
+        unit: unit.to_owned(),
+        writes: run.setpoints,
+        reached: run.reached,
+        actual: actual.map(|raw| Decimal { raw, decimals: 2 }),
+    })
+}

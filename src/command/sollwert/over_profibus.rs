@@ -1,0 +1,54 @@
+//! `sollwert` with PROFIBUS spoken: a run that this program holds, or a stop.
+
+use super::Args;
+use crate::command::profibus::job::{Action, Job, is_zero, wanted};
+use crate::command::profibus::run::run as run_one;
+use crate::command::{Context, profibus};
+use crate::failure::{Class, Failure};
+use crate::gate::Relief;
+use crate::outcome::Outcome;
+use crate::text::both;
+
+pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let keypad = &args.keypad;
+    profibus::refuse(&[
+        ("--ramp", args.ramp.is_some()),
+        ("--profile", args.profile.is_some()),
+        ("--mode", args.mode.is_some()),
+        ("--set", !args.options.is_empty()),
+        ("--start", args.start.is_some()),
+        ("--source", args.source.is_some()),
+        ("--until", args.until.is_some()),
+        ("--step", keypad.step.is_some()),
+    ])?;
+    let Some(value) = &args.value else {
+        let message = both!("expected a setpoint such as 20Hz, got none", "Sollwert fehlt, zum Beispiel 20Hz");
+        return Err(Failure::new(Class::Usage, "usage.setpoint", message).hint(both!(
+            "`antrieb --protocol dp read 700 701 611 614` shows setpoint and actual value",
+            "`antrieb --protocol dp read 700 701 611 614` zeigt Soll- und Istwert"
+        )));
+    };
+    let wanted = wanted(value)?;
+    let mut motion = args.motion.clone();
+    let enable = args.enable || args.jog.is_some();
+    if args.jog.is_some() {
+        (motion.hold, motion.duration) = (true, args.jog);
+    }
+    let action = match is_zero(wanted) && !enable {
+        true => Action::Stop(Relief::Zero),
+        false if enable => Action::Run(wanted),
+        false => {
+            let message = both!(
+                "over PROFIBUS a setpoint alone turns nothing: the slave is held by a stop word before and behind it",
+                "am PROFIBUS dreht ein Sollwert allein nichts: davor und danach hält ein Stoppwort den Slave"
+            );
+            return Err(Failure::new(Class::Usage, "usage.enable", message)
+                .hint(both!("add --enable --hold", "--enable --hold angeben")));
+        }
+    };
+    if matches!(action, Action::Stop(_)) {
+        motion = motion.of_a_stop();
+    }
+    let job = Job { action, word: "sollwert", motion: &motion, slave: &args.slave };
+    run_one(&job, context).await
+}

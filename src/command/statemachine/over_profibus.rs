@@ -1,0 +1,44 @@
+//! `statemachine` with PROFIBUS spoken: the state, a stop, or a reset. What runs is given as a setpoint.
+
+use super::{Action, Args};
+use crate::command::profibus::job::{self, Job};
+use crate::command::profibus::run::{self, no_quick_stop};
+use crate::command::{Context, profibus};
+use crate::failure::{Class, Failure};
+use crate::gate::Relief;
+use crate::outcome::Outcome;
+use crate::text::both;
+
+pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let (action, word, motion) = match &args.action {
+        None | Some(Action::Show) => return profibus::show(&args.slave, context).await,
+        Some(Action::Disable(motion)) => (job::Action::Stop(Relief::Disable), "disable", motion),
+        Some(Action::DisableVoltage(motion)) => (job::Action::Stop(Relief::DisableVoltage), "disable-voltage", motion),
+        Some(Action::QuickStop(motion)) => {
+            no_quick_stop(context.observe);
+            (job::Action::Stop(Relief::QuickStop), "quick-stop", motion)
+        }
+        Some(Action::Reset(motion)) => (job::Action::Reset, "reset", motion),
+        Some(
+            Action::Shutdown(_)
+            | Action::SwitchOn(_)
+            | Action::Enable(_)
+            | Action::Goto { .. }
+            | Action::Contacts { .. },
+        ) => return Err(not_held()),
+    };
+    let motion = motion.of_a_stop();
+    run::run(&Job { action, word, motion: &motion, slave: &args.slave }, context).await
+}
+
+/// The state of a slave is that of the word which this program sends it in every cycle.
+fn not_held() -> Failure {
+    let message = both!(
+        "over PROFIBUS a state lasts only while this program exchanges data: there is nothing to walk to and leave",
+        "am PROFIBUS dauert ein Zustand nur, solange dieses Programm Daten austauscht: es gibt kein Ziel, das bleibt"
+    );
+    Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
+        "`antrieb --protocol dp sollwert 20Hz --enable --hold` runs it as long as you hold it; `statemachine disable` stops it",
+        "`antrieb --protocol dp sollwert 20Hz --enable --hold` fährt ihn, solange gehalten wird; `statemachine disable` hält ihn an"
+    ))
+}

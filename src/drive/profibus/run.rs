@@ -1,0 +1,339 @@
+//! A run by the words of PROFIdrive (SJ2-PB manual 4.1.2): looked at, prepared, started, measured, held. It ends by `ending` alone.
+
+use super::exchange::{Exchange, LOST, RIGHT};
+use super::shown::Shown;
+use super::state;
+use super::trouble;
+use super::words::{FULL, SMALL, Seen, Wanted, Words, part, start};
+use crate::exchange::dp::{Cycle, Place};
+use crate::failure::{Class, Failure};
+use crate::outcome::Step;
+use crate::tick::{Span, Tick};
+
+/// How far a measured scale may be from what A004 tells, percent: P.611 has steps of 0.01 Hz.
+const TOLERANCE: i64 = 4;
+/// So far from its setpoint a frequency is reached, of 4000h.
+const CLOSE: u16 = 16;
+/// Bits of ZSW (4.1.2.2).
+const READY: u16 = 0x0031;
+const RUNS: u16 = 0x0007;
+const FAULT: u16 = 1 << 3;
+const REACHED: u16 = 1 << 8;
+const BY_BUS: u16 = 1 << 9;
+/// Cycles with the word that prepares, at least.
+const PREPARED: u32 = 3;
+
+/// Who controls (5.3), and the setpoint, 0.01 Hz (5.3).
+const WHO: u16 = 600;
+const SETPOINT: u16 = 611;
+/// P.703: stop by the ramp, and everything that takes motion away: coasting, the ramp, the DC brake (5.2).
+const STOPS: u16 = 2;
+const STOPPING: std::ops::RangeInclusive<u32> = 1..=3;
+/// P.600: setpoint and control come from the bus.
+const BOTH: u32 = 3;
+/// Maximum frequency of the two sets (5.5 index 15, 16), and which of them is chosen (5.3).
+const MAXIMA: [u16; 2] = [15, 16];
+const SECOND: u16 = 607;
+/// What A004 may be, 0.01 Hz (5.5: 30 to 400 Hz), and what its raw unit may be: no source tells.
+const HERTZ: std::ops::RangeInclusive<i64> = 3_000..=40_000;
+const UNITS: [i64; 3] = [100, 10, 1];
+
+/// What decides on a run, as it stands in the module before it.
+#[derive(Clone, Debug)]
+pub struct Rights {
+    /// P.928.
+    pub right: Option<u32>,
+    /// P.703.
+    pub lost: Option<u32>,
+    /// Maximum frequencies that the raw value of A004 (or A204) may mean, 0.01 Hz.
+    pub maxima: Vec<i64>,
+}
+
+/// What is changed for the time of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Lending {
+    /// P.928 = 1.
+    pub control: bool,
+    /// P.703 = 2.
+    pub stops: bool,
+}
+
+impl Rights {
+    /// What has to be changed for a run that takes control, or that is to stop where the connection is lost.
+    pub fn lending(&self, control: bool, stops: bool) -> Lending {
+        Lending { control: control && self.right != Some(1), stops: stops && !self.stops() }
+    }
+
+    /// Whether a lost connection takes motion away.
+    pub fn stops(&self) -> bool {
+        self.lost.is_some_and(|lost| STOPPING.contains(&lost))
+    }
+}
+
+/// What a run has come to.
+#[derive(Clone, Debug, Default)]
+pub struct Run {
+    /// Words that were sent, and what the slave said to them.
+    pub steps: Vec<Step>,
+    /// 4000h in 0.01 Hz, as it was measured.
+    pub maximum: Option<i64>,
+    /// Setpoints that were sent.
+    pub setpoints: u64,
+    /// Whether the setpoint was reached; `None` before it was sent.
+    pub reached: Option<bool>,
+    /// Frequency that was seen last before the end, of 4000h.
+    pub actual: Option<i16>,
+}
+
+impl Exchange<'_, '_> {
+    /// What decides on a run.
+    pub async fn rights(&mut self) -> Result<Rights, Failure> {
+        let second = self.told(SECOND).await? == Some(1);
+        let [main, other] = MAXIMA;
+        let raw = self.told(if second { other } else { main }).await?.map_or(0, |raw| i64::from(raw & 0xFFFF));
+        let maxima = UNITS.iter().map(|unit| raw * unit).filter(|maximum| HERTZ.contains(maximum)).collect();
+        Ok(Rights { right: self.told(RIGHT).await?, lost: self.told(LOST).await?, maxima })
+    }
+
+    /// A value, if it is told.
+    async fn told(&mut self, index: u16) -> Result<Option<u32>, Failure> {
+        Ok(self.read(Place { pnu: index, element: None }).await?.ok())
+    }
+
+    /// Starts the motor and holds it there until the duration is over, or until somebody interrupts, which is an error.
+    pub async fn run(
+        &mut self,
+        wanted: Wanted,
+        (rights, lending): (&Rights, Lending),
+        (wait, duration): (Span, Option<Span>),
+        (run, shown): (&mut Run, &mut Shown),
+    ) -> Result<(), Failure> {
+        let done = self.starts(wanted, (rights, lending), (wait, duration), (run, shown)).await;
+        done.map_err(|failure| if failure.class == Class::Interrupted { trouble::ended() } else { failure })
+    }
+
+    async fn starts(
+        &mut self,
+        wanted: Wanted,
+        (rights, lending): (&Rights, Lending),
+        (wait, duration): (Span, Option<Span>),
+        (run, shown): (&mut Run, &mut Shown),
+    ) -> Result<(), Failure> {
+        let (value, is_hertz) = match wanted {
+            Wanted::Hertz(value) => (value, true),
+            Wanted::Percent(value) => (value, false),
+        };
+        let most = if is_hertz { rights.maxima.iter().copied().max().unwrap_or_default() } else { 10_000 };
+        if value.abs() > most {
+            return Err(trouble::beyond(self.address(), most, is_hertz));
+        }
+        if lending.stops {
+            self.lend(LOST, STOPS).await?;
+        }
+        if lending.control {
+            self.lend(RIGHT, 1).await?;
+        }
+        self.prepare(wait, run).await?;
+        let word = start(value);
+        let maximum = if is_hertz { self.measured(word, (value, &rights.maxima), wait, run).await? } else { 10_000 };
+        if value.abs() > maximum {
+            return Err(trouble::beyond(self.address(), maximum, is_hertz));
+        }
+        let hsw = part(value, maximum);
+        self.start(Words { stw: word, hsw }, wait, run).await?;
+        self.turns(hsw, wait, run).await?;
+        self.hold((hsw, maximum), duration, run, shown).await
+    }
+
+    /// Stops the motor from now on, as soon as data are exchanged: OFF1, or OFF3. [`Exchange::leave`] proves it.
+    pub async fn stops(&mut self, coasts: bool) -> Result<(), Failure> {
+        (self.insists, self.ours) = (true, true);
+        if coasts {
+            self.coasts();
+        }
+        self.look().await.map(|_| ())
+    }
+
+    /// The end of what was started will be OFF3.
+    pub fn coasts(&mut self) {
+        if self.ours {
+            (self.words, self.still.coasts) = (Words::COAST, true);
+        }
+    }
+
+    /// Acknowledges a fault: no start bit first, then the edge of bit 7, with control kept.
+    pub async fn reset(&mut self, wait: Span, run: &mut Run) -> Result<(), Failure> {
+        self.words = Words::PREPARE;
+        let mut seen = self.look().await?;
+        for _ in 0..PREPARED {
+            seen = self.look().await?;
+        }
+        if seen.zsw & FAULT == 0 {
+            return Err(trouble::no_fault(self.address()));
+        }
+        let begun = self.line.now();
+        self.words = Words::ACKNOWLEDGE;
+        while seen.zsw & FAULT != 0 {
+            if self.line.now().since(begun) > wait {
+                return Err(trouble::still_faulted(self.address()));
+            }
+            seen = self.look().await?;
+        }
+        run.steps.push(step("acknowledge", self.words, seen, self.line.now().since(begun)));
+        self.words = Words::PREPARE;
+        self.look().await.map(|_| ())
+    }
+
+    /// 0406: ready, without a start, so that the start bit has an edge behind it.
+    async fn prepare(&mut self, wait: Span, run: &mut Run) -> Result<(), Failure> {
+        let begun = self.line.now();
+        self.words = Words::PREPARE;
+        let mut cycles = 0;
+        loop {
+            let seen = self.look().await?;
+            cycles += 1;
+            if seen.zsw & FAULT != 0 {
+                return Err(trouble::faulted(self.address()));
+            }
+            let is_ready = seen.zsw & READY == READY && seen.zsw & BY_BUS != 0;
+            if cycles > PREPARED && is_ready && self.still.is_dark(self.line.now()) {
+                run.steps.push(step("OFF1", Words::PREPARE, seen, self.line.now().since(begun)));
+                return Ok(());
+            }
+            if self.line.now().since(begun) > wait {
+                return Err(trouble::not_ready(self.address(), seen, self.still.is_dark(self.line.now())));
+            }
+        }
+    }
+
+    /// Gives a start word, and waits until it is obeyed.
+    async fn start(&mut self, words: Words, wait: Span, run: &mut Run) -> Result<(), Failure> {
+        let begun = self.line.now();
+        let starts = !self.ours;
+        // From here on the motor may turn, whatever becomes of it.
+        self.ours = true;
+        self.words = words;
+        run.setpoints += 1;
+        run.reached = Some(false);
+        loop {
+            let seen = self.obeying().await?;
+            if seen.zsw & RUNS == RUNS {
+                if starts {
+                    run.steps.push(step("ON1", words, seen, self.line.now().since(begun)));
+                }
+                return Ok(());
+            }
+            if self.line.now().since(begun) > wait {
+                return Err(trouble::not_started(self.address(), seen));
+            }
+        }
+    }
+
+    /// 4000h in 0.01 Hz, measured at a small setpoint: no source tells the raw unit of A004, and every setpoint rests on it.
+    async fn measured(
+        &mut self,
+        word: u16,
+        (value, maxima): (i64, &[i64]),
+        wait: Span,
+        run: &mut Run,
+    ) -> Result<i64, Failure> {
+        let most = maxima.iter().copied().max().unwrap_or_default();
+        // Whatever the scale is, no more than what was asked for.
+        let hsw = SMALL.min(part(value, most));
+        if hsw == 0 {
+            return Ok(most);
+        }
+        self.start(Words { stw: word, hsw }, wait, run).await?;
+        let begun = self.line.now();
+        let told = loop {
+            self.obeying().await?;
+            let told = self.told(SETPOINT).await?.map_or(0, |told| i64::from(told & 0xFFFF));
+            if told != 0 || self.line.now().since(begun) > wait {
+                break told;
+            }
+        };
+        let is_near = |maximum: &&i64| {
+            let expected = i64::from(hsw) * **maximum / FULL;
+            (told - expected).abs() <= (expected * TOLERANCE / 100).max(2)
+        };
+        let found = maxima.iter().find(is_near).copied();
+        run.maximum = found;
+        found.ok_or_else(|| trouble::scale(self.address(), hsw, told, maxima))
+    }
+
+    /// A run is proven by who controls, and by the frequency; the bits of the status word say what was commanded.
+    async fn turns(&mut self, hsw: u16, wait: Span, run: &mut Run) -> Result<(), Failure> {
+        if let Some(who) = self.told(WHO).await?.filter(|who| who & BOTH != BOTH) {
+            return Err(trouble::others(self.address(), who));
+        }
+        let begun = self.line.now();
+        loop {
+            let seen = self.obeying().await?;
+            run.actual = Some(seen.hiw);
+            if seen.hiw != 0 || hsw == 0 {
+                return Ok(());
+            }
+            if self.line.now().since(begun) > wait {
+                return Err(trouble::turns_not(self.address()));
+            }
+        }
+    }
+
+    async fn hold(
+        &mut self,
+        (hsw, maximum): (u16, i64),
+        duration: Option<Span>,
+        run: &mut Run,
+        shown: &mut Shown,
+    ) -> Result<(), Failure> {
+        let end: Option<Tick> = duration.map(|duration| self.line.now() + duration);
+        shown.comes_to(self, "held", end);
+        while end.is_none_or(|end| self.line.now() < end) {
+            let seen = self.obeying().await?;
+            run.actual = Some(seen.hiw);
+            let is_near = seen.hiw.unsigned_abs().abs_diff(hsw) <= CLOSE;
+            run.reached = Some(is_near || seen.zsw & REACHED != 0);
+            shown.sees(self, seen, maximum);
+        }
+        Ok(())
+    }
+
+    /// What comes in one cycle. A slave that has left Data_Exchange is not started anew by what stands in its outputs.
+    async fn look(&mut self) -> Result<Seen, Failure> {
+        loop {
+            match self.cycle().await? {
+                Cycle::Left => {
+                    self.words = Words::STOP;
+                    return Err(trouble::left(self.address()));
+                }
+                Cycle::Inputs(_) => {}
+                Cycle::Prepared | Cycle::Released => continue,
+            }
+            if let Some(seen) = self.seen {
+                return Ok(seen);
+            }
+        }
+    }
+
+    /// What comes in one cycle of a motor that was started.
+    async fn obeying(&mut self) -> Result<Seen, Failure> {
+        let seen = self.look().await?;
+        if seen.zsw & FAULT != 0 {
+            return Err(trouble::tripped(self.address()));
+        }
+        if seen.zsw & BY_BUS == 0 {
+            return Err(trouble::lost_control(self.address(), seen));
+        }
+        Ok(seen)
+    }
+}
+
+fn step(command: &str, words: Words, seen: Seen, took: Span) -> Step {
+    Step {
+        transition: "STW".to_owned(),
+        command: Some(command.to_owned()),
+        control: Some(format!("0x{:04X}", words.stw)),
+        state: state::of(seen.zsw),
+        took_ms: took.as_millis(),
+    }
+}

@@ -1,0 +1,138 @@
+//! Whether the shaft stands, by what is told of the frequency alone: the bits of the status word say what was commanded.
+//!
+//! HIW is the frequency that the inverter puts out, not that of the shaft. Where the output goes dark at once (a trip, coasting) it is 0
+//! while the shaft turns on. So a shaft is known to stand only where the frequency was seen on its way down to 0.
+
+use super::words::Seen;
+use crate::tick::{Span, Tick};
+
+/// So many cycles in a row with a frequency of 0, over this time, and the output is off.
+const ZEROS: u32 = 3;
+const QUIET: Span = Span::from_millis(100);
+/// 2 % of A004: what is left of a ramp where it ends.
+const SLOW: i32 = 0x4000 / 50;
+/// A frequency that stays for so long is on no ramp.
+const STEADY: Span = Span::from_millis(500);
+/// Fault (4.1.2.2).
+const FAULT: u16 = 1 << 3;
+
+/// What the frequency has told.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Still {
+    /// The last frequency that was not 0, and since when it was that.
+    last: Option<(Tick, i32)>,
+    /// How far it fell before that, and in which time.
+    fall: Option<(i32, Span)>,
+    zeros: u32,
+    since: Tick,
+    proven: bool,
+    faulted: bool,
+    /// It was told to coast.
+    pub(super) coasts: bool,
+}
+
+impl Still {
+    /// Takes what came in one cycle.
+    pub(super) fn sees(&mut self, now: Tick, seen: Seen) {
+        let frequency = i32::from(seen.hiw).abs();
+        self.faulted |= seen.zsw & FAULT != 0;
+        if frequency != 0 {
+            self.turns(now, frequency);
+            return;
+        }
+        if self.zeros == 0 {
+            self.since = now;
+            self.proven = self.last.is_some_and(|(at, last)| last <= SLOW || self.comes_down(last, now.since(at)));
+        }
+        self.zeros = self.zeros.saturating_add(1);
+    }
+
+    fn turns(&mut self, now: Tick, frequency: i32) {
+        (self.zeros, self.proven) = (0, false);
+        match self.last {
+            Some((_, last)) if last == frequency => return,
+            Some((at, last)) if last > frequency => self.fall = Some((last - frequency, now.since(at))),
+            _ => self.fall = None,
+        }
+        self.last = Some((now, frequency));
+    }
+
+    /// Whether the ramp that was seen reaches the end in this time.
+    fn comes_down(&self, last: i32, elapsed: Span) -> bool {
+        let Some((fall, took)) = self.fall.filter(|(_, took)| *took <= STEADY && elapsed <= STEADY) else {
+            return false;
+        };
+        let micros = |span: Span| i64::try_from(span.as_micros()).unwrap_or(i64::MAX);
+        i64::from(fall).saturating_mul(micros(elapsed)) >= i64::from(last - SLOW).saturating_mul(micros(took))
+    }
+
+    /// Whether the output is off.
+    pub(super) fn is_dark(&self, now: Tick) -> bool {
+        self.zeros >= ZEROS && now.since(self.since) >= QUIET
+    }
+
+    /// What is known of the shaft: it stands, it is driven, or nothing tells.
+    pub(super) fn standing(&self) -> Option<bool> {
+        match self.zeros {
+            0 => self.last.map(|_| false),
+            _ => (self.proven && !self.faulted && !self.coasts).then_some(true),
+        }
+    }
+
+    /// Whether the frequency was ever seen.
+    pub(super) fn has_turned(&self) -> bool {
+        self.last.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Frequencies every 25 ms, the last of them for a while; with a fault from this one on.
+    fn told(frequencies: &[i16], fault: usize) -> Still {
+        let mut still = Still::default();
+        for (place, hiw) in frequencies.iter().enumerate() {
+            let zsw = if place >= fault { FAULT } else { 0 };
+            still.sees(Tick::ZERO + Span::from_millis(25 * place as u64), Seen { zsw, hiw: *hiw });
+        }
+        still
+    }
+
+    #[test]
+    fn only_a_frequency_that_came_down_proves_a_standing_shaft() {
+        let never = usize::MAX;
+        for (frequencies, fault, standing) in [
+            (&[0, 0, 0][..], never, None),
+            (&[900, 600, 300, 0, 0], never, Some(true)),
+            (&[-900, -600, -300, 0, 0], never, Some(true)),
+            (&[9000, 6000, 3000, 0], never, Some(true)),
+            // Off at once: a trip, or coasting.
+            (&[8192, 8192, 0, 0], never, None),
+            (&[8192, 8000, 0, 0], never, None),
+            (&[900, 600, 300, 0, 0], 3, None),
+            (&[8192, 8192], never, Some(false)),
+            (&[300, 0, 0, 300], never, Some(false)),
+        ] {
+            assert_eq!(told(frequencies, fault).standing(), standing, "{frequencies:?}");
+        }
+    }
+
+    #[test]
+    fn a_ramp_that_was_seen_long_ago_proves_nothing() {
+        let mut frequencies = vec![9_000, 7_000];
+        frequencies.extend([5_000; 40]);
+        frequencies.push(0);
+        assert_eq!(told(&frequencies, usize::MAX).standing(), None);
+    }
+
+    #[test]
+    fn a_single_zero_is_no_end() {
+        let still = told(&[300, 0], usize::MAX);
+        assert!(!still.is_dark(Tick::ZERO + Span::from_secs(1)));
+        let still = told(&[300, 0, 0, 0], usize::MAX);
+        assert!(
+            !still.is_dark(Tick::ZERO + Span::from_millis(75)) && still.is_dark(Tick::ZERO + Span::from_millis(125))
+        );
+    }
+}

@@ -1,0 +1,235 @@
+//! What goes wrong with a motor, said in both languages, with what to do next.
+
+use super::super::words::Seen;
+use super::unproven;
+use crate::drive::motion::may_turn;
+use crate::failure::{Class, Failure};
+use crate::profile::value::format_decimal;
+use crate::text::{Text, both};
+
+fn forbidden(code: &'static str, address: u8, message: Text) -> Failure {
+    Failure::new(Class::Forbidden, code, message).with("address", address)
+}
+
+fn refused(code: &'static str, address: u8, message: Text) -> Failure {
+    Failure::new(Class::Refused, code, message).with("address", address)
+}
+
+/// A setpoint that is higher than what 4000h is.
+pub(in crate::drive::profibus) fn beyond(address: u8, most: i64, is_hertz: bool) -> Failure {
+    let most = format_decimal(most, 2);
+    let message = match is_hertz {
+        true => both!(
+            "station {address}: the setpoint is above {most} Hz, the maximum frequency (A004)",
+            "Station {address}: der Sollwert liegt über {most} Hz, der Maximalfrequenz (A004)"
+        ),
+        false => both!(
+            "station {address}: the setpoint is above {most} %: 100 % is the maximum frequency (A004)",
+            "Station {address}: der Sollwert liegt über {most} %: 100 % sind die Maximalfrequenz (A004)"
+        ),
+    };
+    Failure::new(Class::Data, "data.range", message).with("address", address)
+}
+
+/// A fault stands there before a run.
+pub(in crate::drive::profibus) fn faulted(address: u8) -> Failure {
+    let message = both!(
+        "station {address} is in fault (ZSW bit 3): it does not start",
+        "Station {address} ist in Störung (ZSW Bit 3): sie startet nicht"
+    );
+    forbidden("forbidden.fault", address, message).hint(reset(address))
+}
+
+/// A trip during a run.
+pub(in crate::drive::profibus) fn tripped(address: u8) -> Failure {
+    let message =
+        both!("station {address} has tripped (ZSW bit 3)", "Station {address} hat eine Störung gemeldet (ZSW Bit 3)");
+    forbidden("forbidden.tripped", address, message).hint(reset(address))
+}
+
+/// There is nothing to acknowledge.
+pub(in crate::drive::profibus) fn no_fault(address: u8) -> Failure {
+    let message = both!(
+        "station {address} is not in fault (ZSW bit 3): there is nothing to reset",
+        "Station {address} ist nicht in Störung (ZSW Bit 3): nichts zu quittieren"
+    );
+    forbidden("forbidden.no_fault", address, message)
+}
+
+/// A fault stays.
+pub(in crate::drive::profibus) fn still_faulted(address: u8) -> Failure {
+    let message = both!(
+        "station {address} was told to acknowledge, but the fault stands (ZSW bit 3)",
+        "Station {address} sollte quittieren, aber die Störung steht noch an (ZSW Bit 3)"
+    );
+    refused("refused.fault_stands", address, message).hint(both!(
+        "its cause is still there; the display tells which",
+        "die Ursache besteht noch; die Anzeige nennt sie"
+    ))
+}
+
+fn reset(address: u8) -> Text {
+    both!(
+        "its display tells which; `antrieb -a {address} --protocol dp statemachine reset` acknowledges it",
+        "die Anzeige nennt sie; `antrieb -a {address} --protocol dp statemachine reset` quittiert sie"
+    )
+}
+
+/// The word that prepares is not obeyed.
+pub(in crate::drive::profibus) fn not_ready(address: u8, seen: Seen, is_still: bool) -> Failure {
+    let zsw = seen.zsw;
+    if !is_still {
+        return unproven(address, seen.hiw);
+    }
+    let message = both!(
+        "station {address} does not become ready: ZSW is {zsw:04X}h behind 0406h",
+        "Station {address} wird nicht bereit: ZSW ist {zsw:04X}h hinter 0406h"
+    );
+    forbidden("forbidden.not_ready", address, message).hint(rights())
+}
+
+/// What gives a master the control.
+fn rights() -> Text {
+    both!(
+        "control from the bus needs P.928 = 1 (--take-control sets it for the run) and A001, A002 of the inverter for it",
+        "Steuern über den Bus braucht P.928 = 1 (--take-control setzt es für den Lauf) und A001, A002 des Umrichters dafür"
+    )
+}
+
+/// The start word is not obeyed.
+pub(in crate::drive::profibus) fn not_started(address: u8, seen: Seen) -> Failure {
+    let zsw = seen.zsw;
+    let message = both!(
+        "station {address} does not start: ZSW is {zsw:04X}h behind the start word",
+        "Station {address} startet nicht: ZSW ist {zsw:04X}h hinter dem Startwort"
+    );
+    forbidden("forbidden.not_started", address, message).hint(rights())
+}
+
+/// Somebody else gives the setpoint or starts and stops.
+pub(in crate::drive::profibus) fn others(address: u8, who: u32) -> Failure {
+    let message = both!(
+        "station {address}: setpoint or control do not come from the bus (P.600 = {who})",
+        "Station {address}: Sollwert oder Steuerung kommen nicht vom Bus (P.600 = {who})"
+    );
+    forbidden("forbidden.control", address, message).hint(rights())
+}
+
+/// The control went to somebody else while the motor ran.
+pub(in crate::drive::profibus) fn lost_control(address: u8, seen: Seen) -> Failure {
+    let zsw = seen.zsw;
+    let message = both!(
+        "station {address} no longer obeys the bus: ZSW is {zsw:04X}h, bit 9 is gone",
+        "Station {address} gehorcht dem Bus nicht mehr: ZSW ist {zsw:04X}h, Bit 9 fehlt"
+    );
+    forbidden("forbidden.control", address, message).hint(rights())
+}
+
+/// The start word is obeyed, and nothing turns.
+pub(in crate::drive::profibus) fn turns_not(address: u8) -> Failure {
+    let message = both!(
+        "station {address} is enabled, but puts out no frequency",
+        "Station {address} ist freigegeben, gibt aber keine Frequenz aus"
+    );
+    forbidden("forbidden.turns_not", address, message).hint(both!(
+        "is the setpoint below the start frequency (b082), or is a stop given at its terminals?",
+        "Liegt der Sollwert unter der Startfrequenz (b082), oder steht an den Klemmen ein Halt an?"
+    ))
+}
+
+/// Somebody ended a run.
+pub(in crate::drive::profibus) fn ended() -> Failure {
+    Failure::new(Class::Interrupted, "interrupted", both!("interrupted", "unterbrochen"))
+}
+
+/// The slave went away and came back.
+pub(in crate::drive::profibus) fn left(address: u8) -> Failure {
+    let message = both!(
+        "station {address} left the exchange of data by itself (its watchdog, its supply?): it is not started anew",
+        "Station {address} hat den Datenaustausch von sich aus verlassen (Überwachung, Versorgung?): sie wird nicht neu \
+         gestartet"
+    );
+    refused("refused.left", address, message)
+}
+
+/// What a setpoint means is not what the inverter says that it means.
+pub(in crate::drive::profibus) fn scale(address: u8, hsw: u16, told: i64, maxima: &[i64]) -> Failure {
+    let (told, hertz) = (format_decimal(told, 2), |maximum: &i64| format_decimal(*maximum, 2));
+    let maxima = maxima.iter().map(hertz).collect::<Vec<_>>().join(", ");
+    let maxima = if maxima.is_empty() { "?".to_owned() } else { maxima };
+    let message = both!(
+        "station {address}: {hsw:04X}h is {told} Hz (P.611), which fits no maximum frequency that A004 may mean ({maxima} Hz)",
+        "Station {address}: {hsw:04X}h sind {told} Hz (P.611); das passt zu keiner Maximalfrequenz, die A004 bedeuten kann ({maxima} \
+         Hz)"
+    );
+    forbidden("forbidden.scale", address, message).hint(both!(
+        "give the setpoint in percent of the maximum frequency, such as 30%",
+        "den Sollwert in Prozent der Maximalfrequenz geben, etwa 30%"
+    ))
+}
+
+/// The line is dead while the motor was to be stopped.
+pub(in crate::drive::profibus) fn unreached(failure: Failure, lost: Option<u32>) -> Failure {
+    let mut failure = failure;
+    let warned = may_turn();
+    failure.message = Text::join([&warned, &failure.message], ": ");
+    let told = behind(lost);
+    failure.hint(both!(
+        "{told}; what stops it now: its terminals, the emergency stop, the mains",
+        "{told}; was ihn jetzt anhält: seine Klemmen, der Not-Halt, das Netz",
+        told
+    ))
+}
+
+/// Control is not given back.
+pub(in crate::drive::profibus) fn right_stays() -> Text {
+    both!(
+        "P.928 stays 1: the motor turned before control was taken, and would be started again",
+        "P.928 bleibt 1: der Motor drehte, bevor das Steuern übernommen wurde, und würde wieder gestartet"
+    )
+}
+
+/// Control was given back, and taken again.
+pub(in crate::drive::profibus) fn right_again() -> Text {
+    both!(
+        "P.928 stays 1: as it was given back, the motor was started at once by somebody else (its terminals?), and stopped again",
+        "P.928 bleibt 1: als es zurückgegeben war, startete jemand anderes den Motor sofort (seine Klemmen?), und er wurde wieder \
+         angehalten"
+    )
+}
+
+/// What a motor does whose slave lost us, by P.703 (5.2).
+fn behind(lost: Option<u32>) -> Text {
+    match lost {
+        Some(0) => both!(
+            "P.703 = 0: without a master it keeps the last words, and may run on",
+            "P.703 = 0: ohne Master behält er die letzten Wörter und läuft vielleicht weiter"
+        ),
+        Some(1) => both!(
+            "P.703 = 1: once its watchdog acts, it coasts",
+            "P.703 = 1: sobald seine Überwachung anspricht, läuft er aus"
+        ),
+        Some(2) => both!(
+            "P.703 = 2: once its watchdog acts, it stops by its ramp",
+            "P.703 = 2: sobald seine Überwachung anspricht, hält er an der Rampe an"
+        ),
+        Some(3) => both!(
+            "P.703 = 3: once its watchdog acts, it stops by the DC brake",
+            "P.703 = 3: sobald seine Überwachung anspricht, hält er mit der Gleichstrombremse an"
+        ),
+        Some(4) => both!(
+            "P.703 = 4: once its watchdog acts, its terminals or its keypad have it (A001, A002)",
+            "P.703 = 4: sobald seine Überwachung anspricht, haben ihn Klemmen oder Bedienfeld (A001, A002)"
+        ),
+        _ => both!("what it does without a master was not told", "was er ohne Master tut, wurde nicht genannt"),
+    }
+}
+
+/// The output is off, and nothing shows that the shaft stands.
+pub fn coasting(address: u8) -> Failure {
+    let message = both!(
+        "station {address}: its output is off, but nothing shows that the shaft stands (it was not seen on its way down)",
+        "Station {address}: der Ausgang ist aus, aber nichts zeigt, dass die Welle steht (sie wurde nicht beim Auslaufen gesehen)"
+    );
+    forbidden("forbidden.standstill_unproven", address, Text::join([&may_turn(), &message], ": "))
+}
