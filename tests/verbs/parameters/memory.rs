@@ -440,7 +440,7 @@ fn what_did_not_go_back_into_the_eeprom_is_not_hidden_behind_the_ram() {
 fn a_place_that_is_refused_behind_the_question_is_not_called_changed() {
     let mut refused = 0;
     for step in 1..30 {
-        let keys = format!("set = {{ \"480\" = 5 }}\n[[disturb]]\nonce = {step}\nkind = \"exception\"\nbyte = 6");
+        let keys = format!("set = {{ \"480\" = 5 }}\n[[disturb]]\nonce = {step}\nkind = \"exception\"\nbyte = 3");
         let document = load(&keys, "\"480@2\" = -12.5").json();
         assert!(!document.err.contains("and is ? now"), "reply {step}: {}", document.err);
         refused += usize::from(document.exit == 6);
