@@ -231,7 +231,8 @@ impl Track {
             let now = is_fault(row);
             let is_told = self.marks.iter().any(|mark| mark.kind == MarkKind::Fault && mark.t >= since);
             if before == Some(false) && now == Some(true) && !is_told {
-                self.marks.push(Mark { t: row.t, kind: MarkKind::Fault, text: fault_word() });
+                let at = self.marks.iter().position(|mark| mark.t >= row.t).unwrap_or(self.marks.len());
+                self.marks.insert(at, Mark { t: row.t, kind: MarkKind::Fault, text: fault_word() });
             }
             before = now.or(before);
             if now == Some(false) {
