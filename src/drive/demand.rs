@@ -107,7 +107,8 @@ impl Session<'_> {
     async fn waits(&mut self, is_busy: bool, asked: u8) -> Result<bool, AccessError> {
         let is_borne = is_busy && asked <= self.limits().retries && !self.is_insisting() && !self.is_over();
         if is_borne {
-            self.rest(BUSY).await?;
+            // Seldom, and asked for in every read: on the heap it makes none of them larger.
+            Box::pin(self.rest(BUSY)).await?;
         }
         Ok(is_borne)
     }

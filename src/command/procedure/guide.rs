@@ -16,6 +16,7 @@ use crate::profile::Registry;
 use crate::profile::procedure::{Act, Procedure, Step};
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
+use futures_util::future::LocalBoxFuture;
 use std::path::{Path, PathBuf};
 
 /// A procedure on its way.
@@ -130,25 +131,26 @@ impl Guide<'_> {
             .hint(both!("--again repeats it", "--again wiederholt ihn")))
     }
 
-    async fn act(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+    /// What is done in a step: on the heap, or each step would bear the size of all of them.
+    fn act<'f>(&'f mut self, turn: Turn<'f>, deed: &'f mut Deed) -> LocalBoxFuture<'f, Result<(), Failure>> {
         match turn.step.act {
-            Act::Confirm => self.confirm(turn, &[]).await,
-            Act::Identify => self.identify(turn, deed).await,
-            Act::Line => self.line(turn, deed).await,
-            Act::Watchdog => self.watchdog(turn, deed).await,
-            Act::Nameplate => self.nameplate(turn, deed),
-            Act::Store => self.store(turn, deed).await,
-            Act::Direction => self.direction(turn, deed).await,
-            Act::Ramp => self.ramp(turn, deed).await,
-            Act::Stop => self.stop(turn, deed).await,
-            Act::Silence => self.silence(turn, deed).await,
-            Act::Reset => self.reset(turn, deed).await,
-            Act::Motor => self.motor(turn, deed).await,
-            Act::Resolver => self.resolver(turn, deed).await,
-            Act::Hand => self.hand(turn, deed).await,
-            Act::Offset => self.offset(turn, deed).await,
-            Act::Zero => self.zero(turn, deed).await,
-            Act::Full => self.full(turn, deed).await,
+            Act::Confirm => Box::pin(self.confirm(turn, &[])),
+            Act::Identify => Box::pin(self.identify(turn, deed)),
+            Act::Line => Box::pin(self.line(turn, deed)),
+            Act::Watchdog => Box::pin(self.watchdog(turn, deed)),
+            Act::Nameplate => Box::pin(std::future::ready(self.nameplate(turn, deed))),
+            Act::Store => Box::pin(self.store(turn, deed)),
+            Act::Direction => Box::pin(self.direction(turn, deed)),
+            Act::Ramp => Box::pin(self.ramp(turn, deed)),
+            Act::Stop => Box::pin(self.stop(turn, deed)),
+            Act::Silence => Box::pin(self.silence(turn, deed)),
+            Act::Reset => Box::pin(self.reset(turn, deed)),
+            Act::Motor => Box::pin(self.motor(turn, deed)),
+            Act::Resolver => Box::pin(self.resolver(turn, deed)),
+            Act::Hand => Box::pin(self.hand(turn, deed)),
+            Act::Offset => Box::pin(self.offset(turn, deed)),
+            Act::Zero => Box::pin(self.zero(turn, deed)),
+            Act::Full => Box::pin(self.full(turn, deed)),
         }
     }
 

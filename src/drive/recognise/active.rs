@@ -74,14 +74,15 @@ impl Inquest<'_, '_> {
             Protocol::Sdo(_) => Text::name("SDO P.484"),
         };
         let Some(question) = self.route.question(Inquiry::Read(SETPOINT_RAM, Type::Long)) else { return Ok(()) };
-        let mut asked_so_often = 1;
-        let mut answer = self.session.demand(self.route, family, question.clone()).await;
-        while let Err(error) = &answer
-            && self.session.bears(error, asked_so_often).await?
-        {
-            asked_so_often += 1;
-            answer = self.session.demand(self.route, family, question.clone()).await;
-        }
+        let mut tries = 0;
+        let answer = loop {
+            tries += 1;
+            let answer = self.session.demand(self.route, family, question.clone()).await;
+            match &answer {
+                Err(error) if self.session.bears(error, tries).await? => {}
+                _ => break answer,
+            }
+        };
         match answer {
             Ok(_) => {
                 let tells = both!("the line setpoint is readable: ACT", "der Liniensollwert ist lesbar: ACT");
