@@ -16,21 +16,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from harness import BINARY, Running, bench, expect, group
+from harness import BINARY, WITHOUT_PARITY, Running, bench, expect, group
 from pymodbus.client import ModbusSerialClient
 
 case = group("capture")
 
-DRIVES = """
-[[drive]]
-model = "act"
-address = 1
-parity = "none"
-[[drive]]
-model = "acu"
-address = 2
-parity = "none"
-"""
 ROUNDS = 20
 # Of every so many telegrams one has garbage before it: 5 %.
 DISTURBED = 20
@@ -85,7 +75,7 @@ class Tap:
 
 @contextmanager
 def tapped():
-    with bench(DRIVES) as served:
+    with bench(WITHOUT_PARITY) as served:
         tap = Tap(served.port)
         client = ModbusSerialClient(tap.name, baudrate=19200, parity="N", stopbits=2, timeout=1, retries=0)
         try:

@@ -232,6 +232,20 @@ class Bench(Running):
         return self.counts
 
 
+# An ACT at 1 and an ACU at 2, for whoever cannot ask a pseudo terminal for parity.
+WITHOUT_PARITY = """
+[[drive]]
+model = "act"
+address = 1
+parity = "none"
+
+[[drive]]
+model = "acu"
+address = 2
+parity = "none"
+"""
+
+
 @contextmanager
 def bench(toml=None, tcp=False):
     """A bench for the length of a `with`; its `counts` are there afterwards."""

@@ -9,25 +9,24 @@ import subprocess
 import time
 from contextlib import contextmanager
 
-from harness import BENCH_LIFE, BINARY, TARGET, Running, antrieb, expect, expect_below, expect_text, group
+from harness import (
+    BENCH_LIFE,
+    TARGET,
+    WITHOUT_PARITY,
+    Running,
+    antrieb,
+    bench,
+    expect,
+    expect_below,
+    expect_text,
+    group,
+)
 
 PROGRAM = TARGET / "windows/x86_64-pc-windows-gnu/debug/antrieb.exe"
 PREFIX = (TARGET / "windows/wine").resolve()
 WINE = "/usr/lib/wine/wine64"
 # Wine's own start takes a second on a quiet machine.
 PROMPT_S = 12.0
-
-BENCH = """
-[[drive]]
-model = "act"
-address = 1
-parity = "none"
-
-[[drive]]
-model = "acu"
-address = 2
-parity = "none"
-"""
 
 LINE = ("--parity", "none")
 
@@ -46,22 +45,14 @@ def run(*words):
 @contextmanager
 def com(name):
     """A bench behind the COM port `name`; gives the pseudo terminal as well."""
-    with Running([BINARY, "--no-config", "--json", "simulate", "--for", BENCH_LIFE, write_bench()]) as served:
-        served.wait_for("serving on ")
-        terminal = served.output()[1].split("serving on ")[1].split(";")[0]
-        link = PREFIX / "dosdevices" / name.lower()
+    link = PREFIX / "dosdevices" / name.lower()
+    with bench(WITHOUT_PARITY) as served:
         link.unlink(missing_ok=True)
-        link.symlink_to(terminal)
+        link.symlink_to(served.port)
         try:
-            yield terminal
+            yield served.port
         finally:
             link.unlink()
-
-
-def write_bench():
-    file = PREFIX / "bench.toml"
-    file.write_text(BENCH)
-    return file
 
 
 if PROGRAM.is_file():
