@@ -17,7 +17,7 @@ fn left() -> Can {
 
 /// Nobody was disturbed, and the adapter takes no part any more.
 fn is_clean(bus: &Can) -> bool {
-    bus.remarks().is_empty() && !bus.is_open()
+    bus.remarks().is_empty() && bus.orders().is_empty() && !bus.is_open()
 }
 
 const MASTER: &str = "[[drive]]\nmodel = \"acu\"\naddress = 0\nset = { \"919\" = 100 }\n";

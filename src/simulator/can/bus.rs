@@ -2,7 +2,8 @@
 
 use super::adapter::{Adapter, Channel, Out, Quirks};
 use super::node::Node;
-use crate::protocol::can::{Body, Frame, SdoChannel, Service, duration};
+use crate::protocol::can::nmt::{Command, Order};
+use crate::protocol::can::{Body, Frame, LAST_DRIVE, SdoChannel, Service, duration};
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::dice::Dice;
 use crate::tick::{Span, Tick};
@@ -27,6 +28,7 @@ pub struct Can {
     losses: u64,
     dice: Dice,
     remarks: Vec<String>,
+    orders: Vec<Order>,
     received: u64,
     answered: u64,
 }
@@ -84,6 +86,7 @@ impl Can {
             losses: setup.losses,
             dice: Dice::new(setup.seed),
             remarks: Vec::new(),
+            orders: Vec::new(),
             received: 0,
             answered: 0,
         }
@@ -112,6 +115,22 @@ impl Can {
     /// Raw value in the EEPROM of a node.
     pub fn eeprom(&self, node: u8, number: u32, set: u8) -> Option<i64> {
         self.nodes.iter().find(|found| found.id == Some(node))?.device.eeprom(number, set)
+    }
+
+    /// What a source tells in a node.
+    pub fn source(&mut self, node: u8, number: u16) -> Option<i64> {
+        let node = self.nodes.iter_mut().find(|found| found.id == Some(node))?;
+        node.device.system_bus().map(|bus| bus.source(number))
+    }
+
+    /// What the master has told nodes as master of the network, the first thousand.
+    pub fn orders(&self) -> &[Order] {
+        &self.orders
+    }
+
+    /// The time of the bus.
+    pub fn now(&self) -> Tick {
+        self.now
     }
 
     /// What the judge noted about the master, the first thousand.
@@ -169,13 +188,27 @@ impl Can {
             Service::SdoRequest(SdoChannel::Two, _) => {}
             Service::SdoRequest(SdoChannel::One, _) if has_master => self.remark("SDO1 is the master's"),
             Service::SdoRequest(SdoChannel::One, _) => {}
-            _ => self.remark(&format!("{frame}: nothing but questions over SDO is anybody's but the master's")),
+            Service::Nmt => self.judge_order(frame, has_master),
+            _ => self.remark(&format!("{frame}: nothing but SDO and NMT is anybody's but the drives'")),
         }
         if self.adapter.rate != Some(self.rate) {
             self.remark("the adapter disturbs the bus: it sends at another bit rate");
         }
         if matches!(frame.body, Body::Remote(_)) {
             self.remark("a remote request, which no drive answers");
+        }
+    }
+
+    /// Only the master may use identifier 0 (EM-RES-03 manual 5.8.1), and a controller or a tool may be it.
+    fn judge_order(&mut self, frame: &Frame, has_master: bool) {
+        let known = |order: &Order| !matches!(order.command, Command::Unknown(_)) && order.node <= LAST_DRIVE;
+        match Order::decode(frame.bytes()).filter(known) {
+            Some(_) if has_master => self.remark("the network is the master drive's"),
+            None => self.remark(&format!("{frame}: no command of NMT")),
+            Some(_) => {}
+        }
+        if self.orders.len() < MOST_REMARKS {
+            self.orders.extend(Order::decode(frame.bytes()));
         }
     }
 

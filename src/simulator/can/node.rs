@@ -1,17 +1,24 @@
 //! A drive on the bus: its place, its state, what it answers and what it says by itself (EM-RES-03 manual 5.8 to 5.10).
 //!
+//! Its PDOs are in `process`, what a master makes of its slaves in `slaves`.
+//!
 //! Choices where the manual is silent:
 //! - it is there as soon as the bench begins, Pre-Operational, and has said its boot-up before;
 //! - after Reset Node and Reset Communication it says its boot-up 100 ms later, behind a software reset when that is over;
-//! - a question of less than eight bytes is none; an emergency is sent in every state.
+//! - a question of less than eight bytes is none;
+//! - a SYNC of a master drive acts on its own PDOs as it is sent; P.979 never warns by itself, and only the script makes a bus off;
+//! - a cable that is off (`silent`) stops nothing in the drive, whose time-outs go on.
 
+use super::process::Process;
 use super::readings::{Reading, Readings};
+use super::settings::{self, Settings};
+use super::slaves::Slaves;
 use crate::profile::Type;
 use crate::protocol::can::emergency::Emergency;
 use crate::protocol::can::nmt::{Command, Life, Order};
 use crate::protocol::can::sdo::{AbortCode, Initiate, Multiplexer, Reply, Request};
 use crate::protocol::can::{Body, Frame, Identifier, SdoChannel, Service};
-use crate::simulator::device::contract::{Action, Device, Effect, Object, RESTART};
+use crate::simulator::device::contract::{Action, Device, Effect, Fault, Object, RESTART};
 use crate::simulator::station::script::Script;
 use crate::tick::{Span, Tick};
 
@@ -42,12 +49,15 @@ pub(crate) struct Node {
     /// The master starts everybody then, and beats the time.
     starts: Option<Tick>,
     beats: Option<Tick>,
+    process: Process,
+    slaves: Slaves,
+    /// Off the bus until then, and whether it begins anew.
+    away: Option<(Tick, bool)>,
 }
 
 /// Parameters of the system bus (manual 7.2), and the fault key of the basic manual.
 const NODE_ID: u32 = 900;
 const BOOT_UP_DELAY: u32 = 904;
-const SYNC_IDENTIFIER: u32 = 918;
 const SYNC_TIME: u32 = 919;
 const SDO1: [u32; 2] = [921, 922];
 const SDO2_ACTIVE: u32 = 923;
@@ -55,8 +65,14 @@ const NODE_STATE: u32 = 978;
 const CAN_STATE: u32 = 979;
 const OWN: std::ops::RangeInclusive<u16> = 900..=989;
 const FAULT: u32 = 260;
+/// The controller of its bus has given up (manual 5.12), and what P.979 shows then and else.
+const BUS_OFF: u16 = 0x2210;
+const OFF: i64 = 3;
+const OKAY: i64 = 1;
 /// How long a node needs for a new beginning of its communication.
 const ANEW: Span = Span::from_millis(100);
+/// How long behind its boot-up a node tells of the fault, where that comes second; longer than the boot-up on the slowest bus.
+const BEHIND: Span = Span::from_millis(3);
 /// Largest data set that is one, and the first of the RAM (CM-485 manual 7).
 const FIRST_RAM: u8 = 5;
 /// Codes of an abort (manual 5.10.1).
@@ -80,6 +96,9 @@ impl Node {
             fault: 0,
             starts: None,
             beats: None,
+            process: Process::new(readings),
+            slaves: Slaves::default(),
+            away: None,
         };
         node.take_place(Tick::ZERO);
         node.fault = node.fault_key();
@@ -99,10 +118,29 @@ impl Node {
     fn take_place(&mut self, now: Tick) {
         self.id = u8::try_from(self.value(NODE_ID)).ok();
         self.turn(now, State::PreOperational);
-        self.device.act(now, Action::Set(CAN_STATE, 0, 1));
-        let is_master = self.is_master();
-        self.starts = is_master.then(|| now + self.millis(BOOT_UP_DELAY).longer(Span::from_millis(3_500)));
-        self.beats = None;
+        self.device.act(now, Action::Set(CAN_STATE, 0, OKAY));
+        self.starts = self.is_master().then(|| now + self.delay());
+        self.beats = (self.is_master() && self.readings.has(Reading::SyncBeginsWithBootUp)).then_some(now);
+        self.settle(now);
+    }
+
+    /// P.904, at least what is printed.
+    fn delay(&self) -> Span {
+        self.millis(BOOT_UP_DELAY).longer(Span::from_millis(3_500))
+    }
+
+    /// Its PDOs are as its parameters stand now.
+    fn settle(&mut self, now: Tick) {
+        let Some(id) = self.id else { return };
+        self.process.set(now, Settings::of(&*self.device, id, self.readings));
+    }
+
+    /// The same, where settings hold at once.
+    fn settle_at_once(&mut self, now: Tick) {
+        let later = [Reading::SettingsHoldAtPowerOn, Reading::SettingsHoldAfterReset];
+        if !later.into_iter().any(|reading| self.readings.has(reading)) {
+            self.settle(now);
+        }
     }
 
     fn millis(&self, number: u32) -> Span {
@@ -112,6 +150,7 @@ impl Node {
     fn turn(&mut self, now: Tick, state: State) {
         self.state = state;
         self.device.act(now, Action::Set(NODE_STATE, 0, state as i64));
+        self.process.turn(now, state == State::Operational, self.device.system_bus());
     }
 
     fn fault_key(&self) -> u16 {
@@ -125,8 +164,10 @@ impl Node {
             self.device.next(),
             self.script.next(&*self.device),
             self.booting.map(|booting| booting.0),
+            self.away.map(|away| away.0),
             self.starts,
             self.beats,
+            self.process.next(),
         ];
         own.into_iter().flatten().chain(said).min()
     }
@@ -135,47 +176,100 @@ impl Node {
     pub(crate) fn run(&mut self, now: Tick) -> Vec<Frame> {
         self.device.catch_up(now);
         while let Some(action) = self.script.due(now, &*self.device) {
-            self.device.act(now, action);
-            if action == Action::PowerCycle {
-                self.restart(now, RESTART);
-            }
+            self.happens(now, action);
         }
+        let comes_back = self.comes_back(now);
         if let Some((_, anew)) = self.booting.filter(|booting| booting.0 <= now) {
             self.booting = None;
             match anew {
                 true => self.take_place(now),
                 false => self.turn(now, State::PreOperational),
             }
-            let boots = !self.is_master() || self.readings.has(Reading::MasterBootsUp);
-            let frame = self.id.and_then(|id| Service::BootUp(id).identifier());
-            let frame = frame.and_then(|identifier| Frame::data(identifier, &Life::BootUp.encode()));
-            self.saying.extend(frame.filter(|_| boots).map(|frame| (now, frame)));
+            self.boots_up(now);
         }
-        self.look_for_faults(now);
+        if let Some(bus) = self.device.system_bus() {
+            let (out, fault) = self.process.run(now, bus);
+            self.saying.extend(out.into_iter().map(|frame| (now, frame)));
+            if let Some(number) = fault {
+                self.device.act(now, Action::Fault(Fault { number, ..Fault::default() }));
+            }
+        }
+        if self.is_master() {
+            self.slaves.look(now, &mut *self.device, self.readings);
+        }
+        let is_late = comes_back && !self.readings.has(Reading::EmergencyComesFirst);
+        self.look_for_faults(now, if is_late { now + BEHIND } else { now });
         self.command(now);
         let (due, later) = std::mem::take(&mut self.saying).into_iter().partition(|said| said.0 <= now);
         self.saying = later;
-        if self.id.is_none() {
+        if self.id.is_none() || self.away.is_some() {
             return Vec::new();
         }
         due.into_iter().map(|said: (Tick, Frame)| said.1).collect()
     }
 
-    fn look_for_faults(&mut self, now: Tick) {
+    /// Something of the script.
+    fn happens(&mut self, now: Tick, action: Action) {
+        self.device.act(now, action);
+        match action {
+            Action::PowerCycle => self.restart(now, RESTART),
+            Action::Silent(span) => self.away = Some((now + span, false)),
+            Action::BusOff(span) => {
+                self.away = Some((now + span, true));
+                self.turn(now, State::PreOperational);
+                self.device.act(now, Action::Set(CAN_STATE, 0, OFF));
+                self.device.act(now, Action::Fault(Fault { number: BUS_OFF, ..Fault::default() }));
+            }
+            Action::Set(..) => self.settle_at_once(now),
+            _ => {}
+        }
+    }
+
+    /// It is on the bus again; whether it begins anew there, as behind BUS-OFF (manual 5.12).
+    fn comes_back(&mut self, now: Tick) -> bool {
+        let Some((_, anew)) = self.away.filter(|away| away.0 <= now) else { return false };
+        self.away = None;
+        if anew {
+            self.boots_up(now);
+            if !self.readings.has(Reading::OffStaysShown) {
+                self.device.act(now, Action::Set(CAN_STATE, 0, OKAY));
+            }
+            if self.is_master() && self.readings.has(Reading::MasterWaitsAgain) {
+                self.starts = Some(now + self.delay());
+            }
+        }
+        anew
+    }
+
+    fn boots_up(&mut self, now: Tick) {
+        let boots = !self.is_master() || self.readings.has(Reading::MasterBootsUp);
+        let frame = self.id.and_then(|id| Service::BootUp(id).identifier());
+        let frame = frame.and_then(|identifier| Frame::data(identifier, &Life::BootUp.encode()));
+        self.saying.extend(frame.filter(|_| boots).map(|frame| (now, frame)));
+    }
+
+    /// A fault that came or was acknowledged is told at that time (manual 5.8.3, 5.9.3), behind BUS-OFF when the bus is there again.
+    fn look_for_faults(&mut self, now: Tick, at: Tick) {
         let fault = self.fault_key();
-        if fault == std::mem::replace(&mut self.fault, fault) {
+        if self.away.is_some() || fault == std::mem::replace(&mut self.fault, fault) {
+            return;
+        }
+        if fault == 0 {
+            self.device.act(now, Action::Set(CAN_STATE, 0, OKAY));
+        }
+        if self.state == State::Stopped && self.readings.has(Reading::StoppedIsMute) {
             return;
         }
         let told = if fault == 0 { Emergency::CLEARED } else { Emergency::of_a_drive(fault) };
         let identifier = self.id.and_then(|id| Service::Emergency(id).identifier());
         let frame = identifier.and_then(|identifier| Frame::data(identifier, &told.encode()));
-        self.saying.extend(frame.map(|frame| (now, frame)));
+        self.saying.extend(frame.map(|frame| (at, frame)));
     }
 
     /// What a master drive does: it starts all again and again, and beats the time (manual 5.8.1, 5.8.2).
     fn command(&mut self, now: Tick) {
         if self.starts.is_some_and(|at| at <= now) {
-            self.starts = Some(now + self.millis(BOOT_UP_DELAY).longer(Span::from_millis(3_500)));
+            self.starts = Some(now + self.delay());
             let order = Order { command: Command::Start, node: 0 };
             self.saying.extend(Frame::data(0, &order.encode()).map(|frame| (now, frame)));
             self.turn(now, State::Operational);
@@ -184,16 +278,19 @@ impl Node {
         if self.beats.is_some_and(|at| at <= now) {
             let beat = self.millis(SYNC_TIME);
             self.beats = (beat > Span::ZERO).then(|| now + beat);
-            let identifier = u16::try_from(self.value(SYNC_IDENTIFIER)).ok().filter(|identifier| *identifier != 0);
-            let identifier = identifier.or(Service::Sync.identifier()).filter(|_| beat > Span::ZERO);
-            let frame = identifier.and_then(|identifier| Frame::data(identifier, &[]));
-            self.saying.extend(frame.map(|frame| (now, frame)));
+            if beat > Span::ZERO {
+                self.saying.extend(Frame::data(self.process.settings.sync, &[]).map(|frame| (now, frame)));
+                let bus = self.device.system_bus();
+                let out = bus.map(|bus| self.process.sync(now, bus)).unwrap_or_default();
+                self.saying.extend(out.into_iter().map(|frame| (now, frame)));
+            }
         }
     }
 
     /// It begins anew, and is away meanwhile.
     fn restart(&mut self, now: Tick, span: Span) {
         self.device.power_up(now, now + span);
+        self.turn(now, State::PreOperational);
         self.booting = Some((now + span, true));
         self.saying.clear();
     }
@@ -203,7 +300,18 @@ impl Node {
         let (Identifier::Standard(identifier), Body::Data(payload)) = (frame.identifier, &frame.body) else {
             return false;
         };
-        let Some(id) = self.id.filter(|_| self.booting.is_none()) else { return false };
+        let Some(id) = self.id.filter(|_| self.booting.is_none() && self.away.is_none()) else { return false };
+        self.device.catch_up(now);
+        if let Some(bus) = self.device.system_bus() {
+            let out = self.process.hear(now, identifier, payload.bytes(), bus);
+            self.saying.extend(out.into_iter().map(|frame| (now, frame)));
+        }
+        if self.is_master()
+            && let Service::Emergency(node) = Service::of(identifier)
+            && let Some(told) = Emergency::decode(payload.bytes())
+        {
+            self.slaves.hear(now, node, told, &mut *self.device, self.readings);
+        }
         if identifier == 0 {
             if let Some(order) = Order::decode(payload.bytes()).filter(|order| order.node == 0 || order.node == id) {
                 self.obey(now, order.command);
@@ -217,7 +325,7 @@ impl Node {
     }
 
     fn obey(&mut self, now: Tick, command: Command) {
-        if self.is_master() {
+        if self.is_master() && !self.readings.has(Reading::MasterObeys) {
             return;
         }
         match command {
@@ -225,6 +333,10 @@ impl Node {
             Command::Stop => self.turn(now, State::Stopped),
             Command::PreOperational => self.turn(now, State::PreOperational),
             Command::ResetNode | Command::ResetCommunication => {
+                self.turn(now, State::PreOperational);
+                if self.readings.has(Reading::SettingsHoldAfterReset) {
+                    self.settle(now);
+                }
                 self.booting = Some((now + ANEW, self.readings.has(Reading::PlaceHoldsAfterReset)));
             }
             Command::Unknown(_) => {}
@@ -297,6 +409,9 @@ impl Node {
     fn download(&mut self, now: Tick, of: Multiplexer, bits: u32) -> Result<(), u8> {
         let object = self.object(of)?;
         let (taken, strict) = (self.readings.has(Reading::SetsAreTaken), self.readings.has(Reading::TailIsRefused));
+        if settings::refuses(&*self.device, self.readings, of.index.into(), bits & 0xFFFF) {
+            return Err(VALUE);
+        }
         let sdo = self.device.sdo().ok_or(OTHER)?;
         if strict && bits > u32::from(u16::MAX) && sdo.upload(now, object).is_ok_and(|(_, kind)| kind != Type::Long) {
             return Err(VALUE);
@@ -311,7 +426,7 @@ impl Node {
                 // The answer still goes out at the old place.
                 self.booting = Some((now + ANEW, true));
             }
-            Effect::None => {}
+            Effect::None => self.settle_at_once(now),
         }
         Ok(())
     }

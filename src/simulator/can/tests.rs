@@ -67,7 +67,10 @@ fn a_stopped_node_is_silent_and_says_its_boot_up_behind_a_reset() {
     told(&mut can, 0, OPEN, 10);
     assert_eq!(told(&mut can, 20, "t00020205 t6458409B010000000000 ", 100), "z z ");
     assert_eq!(told(&mut can, 110, "t00028105 ", 300), "z t705100 ");
-    assert_eq!(can.remarks().len(), 2, "the network is the master's");
+    assert_eq!((can.remarks().len(), can.orders().len()), (0, 2), "a tool may be the master where no drive is");
+    let mut can = bus(&(drive("") + "[[drive]]\nmodel = \"acu\"\naddress = 0\n"));
+    told(&mut can, 0, "S6 O t00020205 t00020277 t0001FF ", 10);
+    assert_eq!((can.remarks().len(), can.ram(5, 978, 0)), (3, Some(3)), "the network is the master's");
 }
 
 #[test]
@@ -94,4 +97,163 @@ fn another_bit_rate_is_heard_as_errors_and_disturbs_who_takes_part() {
     assert!(can.remarks().is_empty(), "who listens disturbs nobody");
     told(&mut can, 80, "C O ", 100);
     assert!(!can.remarks().is_empty());
+}
+
+/// A drive that sends at its node, and one that takes it; both are started by hand.
+fn pair(sends: &str, takes: &str, more: &str) -> Can {
+    let row = |address: u8, set: &str| {
+        format!("[[drive]]\nmodel = \"acu\"\naddress = {address}\nsources = {{ \"27\" = -2 }}\nset = {{ {set} }}\n")
+    };
+    bus(&format!("{more}\n{}{}", row(1, sends), row(2, takes)))
+}
+
+const STARTED: &str = "S6 O t00020100 ";
+
+fn at(ms: u64) -> Tick {
+    Tick::ZERO + Span::from_millis(ms)
+}
+
+#[test]
+fn a_pdo_by_time_brings_its_sources_to_those_of_who_takes_it() {
+    let mut can = pair("\"930\" = 1, \"931\" = 10, \"950\" = 741, \"948\" = 6, \"953\" = 27", "\"924\" = 385", "");
+    let said = told(&mut can, 0, STARTED, 25);
+    assert_eq!(said.matches("t1818").count(), 2, "{said}");
+    let status = can.ram(1, 411, 0).unwrap();
+    let of = |can: &mut Can, source| can.source(2, source).unwrap();
+    assert_eq!([704, 702, 706, 707].map(|source| of(&mut can, source)), [status, 1, 1, 0xFFFE]);
+    // Bytes 4 to 7 as a long, the least significant first.
+    assert_eq!((of(&mut can, 709), of(&mut can, 730)), (-131_071, 0));
+    // Nothing flows outside Operational, and what came stays.
+    told(&mut can, 35, "t00028002 ", 36);
+    assert_eq!((told(&mut can, 36, "t00020201 ", 90).matches("t181").count(), of(&mut can, 704)), (0, status));
+    let mut zeroed = pair("\"930\" = 1, \"950\" = 6", "\"924\" = 385", "[readings]\nleft_operational = \"zeroed\"");
+    told(&mut zeroed, 0, STARTED, 25);
+    assert_eq!(of(&mut zeroed, 704), 1);
+    told(&mut zeroed, 30, "t00028002 ", 31);
+    assert_eq!(of(&mut zeroed, 704), 0);
+}
+
+#[test]
+fn sync_sends_and_hands_on() {
+    let sync = "[[foreign]]\nframe = \"080#\"\nevery = \"20ms\"";
+    let set = ["\"930\" = 2, \"950\" = 27", "\"924\" = 385, \"936\" = 1"];
+    let mut can = pair(set[0], set[1], sync);
+    assert_eq!(told(&mut can, 0, STARTED, 35).matches("t1818").count(), 1);
+    assert_eq!(can.source(2, 704), Some(0), "the next SYNC hands it on");
+    can.advance(at(45));
+    assert_eq!(can.source(2, 704), Some(0xFFFE));
+    // 1 is by time where 0 is off.
+    let mut other = pair(set[0], set[1], &format!("{sync}\n[readings]\nrx_functions = \"0-2\""));
+    told(&mut other, 0, STARTED, 35);
+    assert_eq!(other.source(2, 704), Some(0xFFFE));
+    let with_data = sync.replace("080#", "080#00");
+    let mut deaf = pair(set[0], set[1], &format!("[readings]\nsync_with_data = \"ignored\"\n{with_data}"));
+    assert_eq!(told(&mut deaf, 0, STARTED, 100).matches("t1818").count(), 0);
+}
+
+#[test]
+fn what_is_missing_is_the_fault_of_the_manual() {
+    let sender = "\"930\" = 1, \"931\" = 10";
+    let faults = |takes: &str, more: &str| {
+        let mut can = pair(sender, takes, more);
+        told(&mut can, 0, STARTED, 1_000);
+        (can.ram(2, 260, 0).unwrap(), can.ram(1, 260, 0).unwrap())
+    };
+    assert_eq!(faults("\"924\" = 385, \"941\" = 40", ""), (0, 0));
+    assert_eq!(faults("\"941\" = 40", "").0, 0x2201);
+    assert_eq!(faults("\"942\" = 40", "").0, 0x2202);
+    assert_eq!(faults("\"945\" = 40", "").0, 0x2203);
+    assert_eq!(faults("\"939\" = 40", "").0, 0, "no PDO waits for SYNC (5.11.3)");
+    assert_eq!(faults("\"939\" = 40, \"932\" = 2", "").0, 0x2200);
+    assert_eq!(faults("\"942\" = 40", "[readings]\nwatch_begins = \"first-telegram\"").0, 0);
+    // It came, and then no more: 40 ms later.
+    let script = "[[drive.event]]\nat = \"500ms\"\nsilent = \"10s\"\n";
+    let text = format!(
+        "[[drive]]\nmodel = \"acu\"\naddress = 2\nset = {{ \"924\" = 385, \"941\" = 40 }}\n\
+        [[drive]]\nmodel = \"acu\"\nset = {{ {sender} }}\n{script}"
+    );
+    let mut can = bus(&text);
+    told(&mut can, 0, STARTED, 500);
+    assert_eq!(told(&mut can, 500, "", 600), "t0828001080000000".to_owned() + "0122 ");
+    // Outside Operational nobody waits, or he does.
+    let stopped = |more: &str| {
+        let mut can = pair(sender, "\"924\" = 385, \"941\" = 40", more);
+        told(&mut can, 0, STARTED, 100);
+        told(&mut can, 100, "t00028000 ", 500);
+        can.ram(2, 260, 0).unwrap()
+    };
+    assert_eq!((stopped(""), stopped("[readings]\nwatched = \"always\"")), (0, 0x2201));
+}
+
+#[test]
+fn a_master_drive_answers_an_emergency_as_p_989_says() {
+    let text = |reaction: u8, more: &str| {
+        format!(
+            "{more}\n[[drive]]\nmodel = \"acu\"\naddress = 0\nset = {{ \"989\" = {reaction} }}\n[[drive]]\nmodel = \"acu\"\n\
+             address = 26\nset = {{ \"412\" = 1 }}\n[[drive.event]]\nat = \"1s\"\nfault = \"F0500\"\n[[drive.event]]\nat = \"20s\"\n\
+             set = {{ \"410\" = 128 }}\n"
+        )
+    };
+    let told = |text: &str| {
+        let mut can = bus(text);
+        [900, 2_000, 21_000].map(|ms| {
+            can.advance(at(ms));
+            [can.ram(0, 260, 0).unwrap(), can.ram(0, 270, 0).unwrap(), can.source(0, 730).unwrap()]
+        })
+    };
+    assert_eq!(told(&text(0, "")), [[0, 0, 0], [0x211A, 0x2000, 1], [0x211A, 0, 1]]);
+    assert_eq!(told(&text(1, "")), [[0, 0, 0], [0, 0x2000, 1], [0, 0, 0]]);
+    let ends = "[readings]\nemergency_ends = \"master\"";
+    assert_eq!(told(&text(0, ends))[2], [0x211A, 0x2000, 1]);
+}
+
+#[test]
+fn behind_a_bus_off_a_node_boots_up_and_tells_of_it() {
+    let script = "[[drive.event]]\nat = \"1s\"\nbus_off = \"200ms\"\n";
+    let mut can = bus(&(drive("") + script));
+    told(&mut can, 0, STARTED, 10);
+    assert_eq!(told(&mut can, 900, "t6458409B010000000000 ", 1_000).matches("t5C5").count(), 1);
+    assert_eq!(told(&mut can, 1_100, "t6458409B010000000000 ", 1_190), "z ");
+    assert_eq!((can.ram(5, 979, 0), can.ram(5, 978, 0), can.ram(5, 260, 0)), (Some(3), Some(1), Some(0x2210)));
+    let emergency = "t0858001080000000".to_owned() + "1022 ";
+    assert_eq!(told(&mut can, 1_190, "", 1_300), "t705100 ".to_owned() + &emergency);
+    assert_eq!(can.ram(5, 979, 0), Some(1));
+    let mut other =
+        bus(&(drive("[readings]\nback_from_bus_off = \"emergency-first\"\nafter_bus_off = \"bus-off\"") + script));
+    told(&mut other, 0, STARTED, 10);
+    assert_eq!(told(&mut other, 900, "", 1_300), emergency + "t705100 ");
+    assert_eq!(other.ram(5, 979, 0), Some(3));
+}
+
+#[test]
+fn what_no_drive_takes_is_refused() {
+    let refused = |more: &str, words: &str| {
+        let mut can = bus(&drive(more));
+        told(&mut can, 0, OPEN, 10);
+        told(&mut can, 20, words, 60).contains("t5C5880")
+    };
+    // P.936 = 2, P.931 = 0, P.918 = 130; P.954 = 5 beside P.950 = 740.
+    for (words, more) in
+        [("t645822A8030002000000 ", "rx_functions = \"0-2\""), ("t645822A3030000000000 ", "tx_time_0 = \"silent\"")]
+    {
+        assert!(refused("", words) && !refused(&format!("[readings]\n{more}"), words), "{words}");
+    }
+    for (words, more) in [
+        ("t64582296030082000000 ", "reserved_identifiers = \"abort-1\""),
+        ("t645822B60300E4020000 t645822BA030005000000 ", "shared_byte = \"abort-1\""),
+    ] {
+        assert!(!refused("", words) && refused(&format!("[readings]\n{more}"), words), "{words}");
+    }
+}
+
+#[test]
+fn a_control_word_and_a_setpoint_over_the_bus_turn_a_shaft() {
+    let text = "[[drive]]\nmodel = \"acu\"\nset = { \"930\" = 1, \"950\" = 740, \"955\" = 62, \"228\" = 10 }\n[[drive.event]]\n\
+        at = \"1s\"\nset = { \"410\" = 15 }\n[[drive]]\nmodel = \"acu\"\naddress = 2\n\
+        set = { \"412\" = 1, \"924\" = 385, \"99\" = 704, \"137\" = 709, \"228\" = 0 }\n";
+    let mut can = bus(text);
+    told(&mut can, 0, STARTED, 900);
+    assert_eq!(can.turning(), [0, 0]);
+    can.advance(at(10_000));
+    assert_eq!((can.ram(2, 283, 0), can.ram(2, 411, 0).unwrap() & 0x6F), (Some(1_000), 0x27));
 }

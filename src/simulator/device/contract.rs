@@ -2,7 +2,7 @@
 //!
 //! [`Device`] is what every device has, however it is asked: time, power, a shaft, memory. What it understands on the
 //! line is a face of its own for each protocol ([`AskedByModbus`], [`AskedByVabus`], [`AskedBySdo`]); a device that is not asked by one of
-//! them has no such face, and one that is asked by something else gets another.
+//! them has no such face, and one that is asked by something else gets another. [`OnSystemBus`] is the drive as an end of virtual links.
 
 use super::counters::Counters;
 use crate::profile::Type;
@@ -76,6 +76,11 @@ pub(crate) trait Device: fmt::Debug + Send + CloneDevice {
 
     /// The device as a server of SDO.
     fn sdo(&mut self) -> Option<&mut dyn AskedBySdo> {
+        None
+    }
+
+    /// The device as an end of virtual links.
+    fn system_bus(&mut self) -> Option<&mut dyn OnSystemBus> {
         None
     }
 
@@ -175,6 +180,18 @@ pub(crate) trait AskedBySdo {
     fn download(&mut self, now: Tick, object: Object, bits: u32) -> Result<Effect, u8>;
 }
 
+/// A drive as an end of virtual links: what its sources tell, and what comes over the system bus (EM-RES-03 manual 5.11.5).
+pub(crate) trait OnSystemBus {
+    /// What a source tells now.
+    fn source(&self, number: u16) -> i64;
+
+    /// What came for these sources.
+    fn receive(&mut self, now: Tick, values: &[(u16, i64)]);
+
+    /// A slave is in fault, or is not any more (manual 5.8.3).
+    fn emergency(&mut self, now: Tick, stands: bool);
+}
+
 /// A parameter in a data set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Object {
@@ -243,6 +260,8 @@ pub(crate) enum Action {
     PowerCycle,
     /// Off the bus for so long.
     Silent(Span),
+    /// The controller of its CAN bus gives up, and begins anew behind this time.
+    BusOff(Span),
     /// Somebody else sets this parameter, in this data set (0-9), to this raw value.
     Set(u32, u8, i64),
     /// Writes to this parameter or register are refused from now on.

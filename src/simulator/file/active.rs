@@ -331,6 +331,9 @@ impl BenchFile<'_> {
         if let Some(silent) = &row.silent {
             actions.push(Action::Silent(self.time("silent", silent)?));
         }
+        if let Some(span) = &row.bus_off {
+            actions.push(Action::BusOff(self.time("bus_off", span)?));
+        }
         for (key, value) in &row.set {
             let (number, set, raw) = self.value(key, value, family, setup)?;
             actions.push(Action::Set(number, set, raw));

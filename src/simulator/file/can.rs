@@ -162,6 +162,12 @@ impl BenchFile<'_> {
         let mut setup = self.active_with(row, model, family.as_deref(), &[MODULE])?;
         let own = std::mem::replace(&mut setup.values, place(id, rate));
         setup.values.extend(own);
+        for (key, value) in &row.sources {
+            let source = key.parse().ok().filter(|source| *source < u16::MAX);
+            let expected = || both!("the number of a source and its value", "die Nummer einer Quelle und ihr Wert");
+            let source = source.ok_or_else(|| self.unfit("sources", value.span(), key, &expected()))?;
+            setup.sources.insert(source, *value.get_ref());
+        }
         let mut events = Vec::new();
         for event in &row.event {
             events.extend(self.active_events(event, model, family.as_deref(), &setup)?);

@@ -36,6 +36,11 @@ impl BenchFile<'_> {
                 both!("servo and stop_bits are for model lxm05", "servo und stop_bits gehören zu model lxm05");
             return Err(self.error(table.span(), message));
         }
+        if !row.sources.is_empty() || row.event.iter().any(|event| event.get_ref().bus_off.is_some()) {
+            let message =
+                both!("sources and bus_off are for a CAN bus", "sources und bus_off gehören zu einem CAN-Bus");
+            return Err(self.error(table.span(), message));
+        }
         let spoken = self.spoken(row, address)?;
         let family = self.registry.family(model.name());
         if family.is_none() && model != Model::Foreign {

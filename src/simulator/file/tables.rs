@@ -60,6 +60,8 @@ pub(crate) struct DriveTable {
     #[serde(default)]
     pub(crate) registers: BTreeMap<String, Spanned<i64>>,
     #[serde(default)]
+    pub(crate) sources: BTreeMap<String, Spanned<i64>>,
+    #[serde(default)]
     pub(crate) busy: bool,
     #[serde(default)]
     pub(crate) nodes: Vec<Spanned<NodeTable>>,
@@ -152,6 +154,7 @@ pub(crate) struct EventTable {
     pub(crate) warning: Option<u16>,
     pub(crate) power_cycle: Option<bool>,
     pub(crate) silent: Option<Spanned<String>>,
+    pub(crate) bus_off: Option<Spanned<String>>,
     pub(crate) refuses: Option<u16>,
     pub(crate) ignores: Option<u16>,
     #[serde(default)]

@@ -13,7 +13,7 @@ use crate::profile::Family;
 use crate::protocol::modbus::pdu::Reply as ModbusReply;
 use crate::protocol::vabus::{Address, Reply as VabusReply, Request};
 use crate::simulator::device::contract::{
-    Action, AskedByModbus, AskedBySdo, AskedByVabus, Device, Effect, Goes, NodeSetting, Response,
+    Action, AskedByModbus, AskedBySdo, AskedByVabus, Device, Effect, Goes, NodeSetting, OnSystemBus, Response,
 };
 use crate::simulator::device::counters::Counters;
 use crate::tick::Tick;
@@ -76,7 +76,7 @@ impl Device for Drive {
             Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
             Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
             Action::Set(number, set, value) => active.set_by_hand(now, number, set, value),
-            Action::PowerCycle | Action::Silent(_) | Action::Refuses(_) | Action::Ignores(_) => {}
+            Action::PowerCycle | Action::Silent(_) | Action::BusOff(_) | Action::Refuses(_) | Action::Ignores(_) => {}
         }
     }
 
@@ -103,6 +103,10 @@ impl Device for Drive {
 
     fn sdo(&mut self) -> Option<&mut dyn AskedBySdo> {
         Some(self)
+    }
+
+    fn system_bus(&mut self) -> Option<&mut dyn OnSystemBus> {
+        Some(&mut self.active)
     }
 
     fn eeprom(&self, number: u32, set: u8) -> Option<i64> {

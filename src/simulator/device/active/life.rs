@@ -51,6 +51,7 @@ impl Active {
         self.warnings = 0;
         self.heard = None;
         self.backwards = false;
+        self.links.forget();
         self.catch_up(now);
     }
 

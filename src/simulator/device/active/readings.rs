@@ -17,6 +17,7 @@ pub(crate) enum Reading {
     OtherModesAreContacts,
     SilentAfterNak,
     SilentOnWrongCheck,
+    LinkedWordIsBeside,
 }
 
 /// The readings of one drive.
@@ -45,6 +46,8 @@ impl readings::Reading for Reading {
         row("other_modes", &[("keypad", None), ("contacts", Some(R::OtherModesAreContacts))]),
         row("after_nak", &[("nak", None), ("silence", Some(R::SilentAfterNak))]),
         row("wrong_bcc", &[("nak", None), ("silence", Some(R::SilentOnWrongCheck))]),
+        // EM-RES-03 manual 5.11.5.3: what P.410 is where P.99 takes the control word from the system bus
+        row("linked_word", &[("alone", None), ("beside", Some(R::LinkedWordIsBeside))]),
     ];
 
     fn bit(self) -> u32 {

@@ -38,6 +38,8 @@ pub(crate) struct Setup {
     pub(crate) four: Vec<u32>,
     /// Number, data set (0 for all), and how its EEPROM takes a write.
     pub(crate) faulty: Vec<(u32, u8, Fault)>,
+    /// What sources tell that this bench does not work out.
+    pub(crate) sources: BTreeMap<u16, i64>,
     /// Texts of string parameters.
     pub(crate) texts: BTreeMap<u32, Vec<u8>>,
 }
@@ -58,6 +60,7 @@ impl Setup {
             values: Vec::new(),
             four: Vec::new(),
             faulty: Vec::new(),
+            sources: BTreeMap::new(),
             texts: BTreeMap::new(),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::analog::Analog;
 use super::cause::Cause;
+use super::links::Links;
 use super::machine::Automaton;
 use super::readings::{Reading, Readings};
 use super::resolver::Resolver;
@@ -41,6 +42,8 @@ pub(crate) struct Active {
     pub(crate) heard: Option<Tick>,
     /// The last line setpoint that was not 0 was negative (CM-485 manual 9.2.1).
     pub(crate) backwards: bool,
+    /// What comes over the system bus.
+    pub(crate) links: Links,
 }
 
 impl Active {
@@ -65,6 +68,7 @@ impl Active {
             warnings: 0,
             heard: None,
             backwards: false,
+            links: Links::new(&setup.sources),
         };
         for (number, spec) in &mut active.specs {
             spec.four |= setup.four.contains(number);

@@ -27,6 +27,11 @@ use crate::tick::Span;
 const CRITICAL: u16 = 0x0001 | 0x0002 | 0x0004 | 0x0008 | 0x0010 | 0x0080 | 0x0100;
 /// Warning I-Limit (CM-485 manual 12.1).
 const CURRENT_LIMIT: u16 = 0x0020;
+/// Warning Sysbus (EM-RES-03 manual 5.8.3).
+const SYSTEM_BUS: u16 = 0x2000;
+/// What takes its value from a source (EM-RES-03 manual 5.11.5.3).
+const CONTROL_WORD_SOURCE: u32 = 99;
+const RAMP_INPUT_SOURCE: u32 = 137;
 /// Signal sources that are always on and always off (sources B).
 const TRUE: i64 = 6;
 const FALSE: i64 = 7;
@@ -50,7 +55,7 @@ impl Active {
         Inputs {
             acu: self.acu,
             control,
-            word: self.value(410) as u16,
+            word: self.control_word() as u16,
             enable,
             right,
             left,
@@ -95,7 +100,7 @@ impl Active {
 
     fn release(&self) -> Release {
         let enable = self.contacts.enable();
-        let bit = |number: u8| self.value(410) >> number & 1 == 1;
+        let bit = |number: u8| self.control_word() >> number & 1 == 1;
         let control = match self.value(412) {
             0 | 2 => Control::Contacts,
             1 => Control::StateMachine,
@@ -110,12 +115,21 @@ impl Active {
         Release { control, enable, right: self.linked(68, right), left: self.linked(69, left) }
     }
 
-    /// A start contact may be tied to "on" or "off" for good (CM-485 manual 9.1.2, 10.2: P.68, P.69).
+    /// A start contact may be tied to "on" or "off" for good (CM-485 manual 9.1.2, 10.2: P.68, P.69), or to the system bus.
     fn linked(&self, number: u32, contact: bool) -> bool {
         match self.value(number) {
             TRUE => true,
             FALSE => false,
-            _ => contact,
+            _ => self.over_bus(number).map_or(contact, |value| value != 0),
+        }
+    }
+
+    /// The control word that counts: P.99 may take it from the system bus (EM-RES-03 manual 5.11.5.3).
+    pub(super) fn control_word(&self) -> i64 {
+        let own = self.value(410);
+        match self.over_bus(CONTROL_WORD_SOURCE) {
+            Some(word) if self.has(Reading::LinkedWordIsBeside) => word | own,
+            word => word.unwrap_or(own),
         }
     }
 
@@ -128,6 +142,7 @@ impl Active {
             2 => line.max(self.value(418)),
             _ => internal.saturating_add(line),
         };
+        let sum = self.over_bus(RAMP_INPUT_SOURCE).unwrap_or(sum);
         let release = self.release();
         let turned = release.control == Control::Contacts && release.left && !release.right;
         if turned { sum.saturating_neg() } else { sum }
@@ -176,7 +191,7 @@ impl Active {
         let Contacts { sto_a, right, left, .. } = self.contacts;
         match self.value(412) {
             // CM-485 manual 9.1.3: the bits of the control word, if enabled by hardware and bit 0.
-            2 if self.contacts.enable() && self.value(410) & 1 == 1 => self.value(410) & 0x3FF,
+            2 if self.contacts.enable() && self.control_word() & 1 == 1 => self.control_word() & 0x3FF,
             2 => 0,
             _ => i64::from(sto_a) | i64::from(right) << 1 | i64::from(left) << 2,
         }
@@ -189,10 +204,11 @@ impl Active {
     }
 
     fn all_warnings(&self) -> u16 {
-        self.warnings | if self.overloaded() { CURRENT_LIMIT } else { 0 }
+        let of = |stands: bool, bit: u16| if stands { bit } else { 0 };
+        self.warnings | of(self.overloaded(), CURRENT_LIMIT) | of(self.links.emergency, SYSTEM_BUS)
     }
 
-    fn status(&self) -> u16 {
+    pub(super) fn status(&self) -> u16 {
         let (inputs, reference, warnings) = (self.inputs(), self.reference(), self.all_warnings());
         // P.549 in percent of P.419 - P.418 (sources B).
         let band = (self.value(419) - self.value(418)).abs().saturating_mul(self.value(549)) / 10_000;
