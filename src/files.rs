@@ -27,9 +27,9 @@ pub enum FileError {
     /// Longer than anything that is read.
     #[error("{}", self.text().en)]
     TooLong(u64),
-    /// Bytes that are no text.
+    /// Bytes that are no text: the line and column of the first.
     #[error("{}", self.text().en)]
-    NoText(usize),
+    NoText(usize, usize),
     /// Something is there and may not be overwritten.
     #[error("{}", self.text().en)]
     Exists,
@@ -57,10 +57,9 @@ impl FileError {
                 "erwartet werden höchstens {limit} MiB, die Datei ist länger",
                 limit = limit >> 20
             ),
-            FileError::NoText(byte) => both!(
-                "expected a text in UTF-8, byte {byte} is none",
-                "erwartet wird ein Text in UTF-8, Byte {byte} ist keiner"
-            ),
+            FileError::NoText(line, column) => {
+                both!("line {line}, column {column}: {why}", "Zeile {line}, Spalte {column}: {why}", why = no_text())
+            }
             FileError::Exists => both!("the file exists already", "die Datei gibt es schon"),
             FileError::Link => both!(
                 "expected a regular file, this is a symbolic link",
@@ -70,10 +69,28 @@ impl FileError {
         }
     }
 
+    /// The same of a file with this path: `FILE: …`, or `FILE:LINE:COLUMN: …` where it has a place.
+    pub fn of(&self, path: &Path) -> Text {
+        let file = path.display();
+        match self {
+            FileError::NoText(line, column) => {
+                both!("{file}:{line}:{column}: {why}", "{file}:{line}:{column}: {why}", why = no_text())
+            }
+            _ => both!("{file}: {why}", "{file}: {why}", why = self.text()),
+        }
+    }
+
     /// Whether there is nothing at that path.
     pub fn is_missing(&self) -> bool {
         matches!(self, FileError::System(error) if error.kind() == io::ErrorKind::NotFound)
     }
+}
+
+fn no_text() -> Text {
+    both!(
+        "expected a text in UTF-8; an editor can save the file so",
+        "erwartet wird ein Text in UTF-8; ein Editor kann die Datei so speichern"
+    )
 }
 
 /// How the standard library begins what it says of a name that leads to no address.
@@ -118,7 +135,12 @@ pub fn of_system(error: &io::Error) -> Text {
 
 /// The text of a regular file of at most `limit` bytes.
 pub fn read(path: &Path, limit: u64) -> Result<String, FileError> {
-    String::from_utf8(read_bytes(path, limit)?).map_err(|error| FileError::NoText(error.utf8_error().valid_up_to() + 1))
+    String::from_utf8(read_bytes(path, limit)?).map_err(|error| {
+        let text = error.as_bytes().get(..error.utf8_error().valid_up_to()).map(String::from_utf8_lossy);
+        let text = text.unwrap_or_default();
+        let last = text.rsplit('\n').next().unwrap_or_default();
+        FileError::NoText(text.matches('\n').count() + 1, last.chars().count() + 1)
+    })
 }
 
 /// The bytes of a regular file of at most `limit` of them.

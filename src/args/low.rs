@@ -98,8 +98,9 @@ impl<'a> Low<'a> {
         let (mut of_project, mut of_user) = (File::default(), File::default());
         let user = environment.user_config.as_ref().map(|directory| directory.join("config.toml"));
         if !flags.no_config {
-            of_project = read_config(&environment.directory.join(&project), flags.config.is_some())?;
-            of_user = user.as_deref().map(|path| read_config(path, false)).transpose()?.unwrap_or_default();
+            of_project = read_config(&environment.directory, &project, flags.config.is_some())?;
+            of_user =
+                user.as_deref().map(|path| read_config(Path::new(""), path, false)).transpose()?.unwrap_or_default();
         }
         let files = [(project, of_project), (user.unwrap_or_default(), of_user)];
         Ok(Low { flags, environment, files, named: None, origins: BTreeMap::new() })

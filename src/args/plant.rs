@@ -2,7 +2,7 @@
 
 use super::globals::Globals;
 use super::low::{Environment, Low, Typed};
-use super::project::{Letterhead, PROJECT, Template, device, wrong_in};
+use super::project::{Letterhead, PROJECT, Template, device, from_outside, wrong_in};
 use super::settings::Settings;
 use crate::failure::Failure;
 use crate::files;
@@ -42,6 +42,12 @@ pub fn project_path(settings: &Settings) -> PathBuf {
 /// A path as it is typed in the directory that the program was started in.
 pub fn in_directory(settings: &Settings, path: &Path) -> PathBuf {
     settings.typed.environment.directory.join(path)
+}
+
+/// A port as it is typed in that directory, for a file that stands elsewhere.
+pub fn port_from_elsewhere(settings: &Settings, port: &str) -> String {
+    let directory = &settings.typed.environment.directory;
+    from_outside(port, directory, directory)
 }
 
 /// What holds for a verb that works on a whole plant: which drives and ports are meant is said by [`places`].

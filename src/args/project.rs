@@ -156,21 +156,35 @@ pub(super) fn device(port: &str) -> String {
     real.map_or_else(|| port.to_owned(), |real| real.display().to_string())
 }
 
-/// Reads a file; nothing stands in one that is not there, unless it must be.
-pub(super) fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
-    let shown = path.display();
+/// A port as it is called from outside of a folder, in which it is called so: what is a path, and no name of a device, begins there.
+/// `folder` is how the folder is called, `stands` where it stands.
+pub(super) fn from_outside(port: &str, folder: &Path, stands: &Path) -> String {
+    let is_path = |name: &str| Path::new(name).components().count() > 1 || files::found(&stands.join(name)).is_some();
+    let outside = match port.parse() {
+        Ok(Port::Serial(name)) if is_path(&name) => Port::Serial(folder.join(name).display().to_string()),
+        Ok(Port::Slcan(inner)) => return format!("slcan:{}", from_outside(&inner.to_string(), folder, stands)),
+        Ok(Port::Sim(Some(file))) => Port::Sim(Some(folder.join(file))),
+        Ok(Port::Tape(file)) => Port::Tape(folder.join(file)),
+        _ => return port.to_owned(),
+    };
+    outside.to_string()
+}
+
+/// Reads a file, called by this path from a directory; nothing stands in one that is not there, unless it must be.
+pub(super) fn read_config(directory: &Path, called: &Path, must_exist: bool) -> Result<File, Failure> {
+    let path = &directory.join(called);
     let text = match files::read(path, files::TEXT) {
         Ok(text) => text,
         Err(error) if error.is_missing() && !must_exist => return Ok(File::default()),
-        Err(error) => {
-            let text = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
-            return Err(Failure::new(Class::Data, "data.config", text));
-        }
+        Err(error) => return Err(Failure::new(Class::Data, "data.config", error.of(path))),
     };
     let mut file: File = toml::from_str(&text).map_err(|error| {
         let (at, why) = stumbled(&error);
         wrong_at(path, &text, at, why)
     })?;
+    if let (Some(folder), Some(stands)) = (called.parent().filter(|it| !it.as_os_str().is_empty()), path.parent()) {
+        file.call_ports(|port| from_outside(port, folder, stands));
+    }
     match file.settle() {
         Ok(()) => Ok(file),
         Err((keys, why)) => Err(wrong_at(path, &text, offset(&text, &keys), why)),
@@ -218,6 +232,14 @@ fn fault(keys: Keys<'_>, why: Text) -> Fault {
 }
 
 impl File {
+    /// Calls every port otherwise, but those that are names of `[ports]`.
+    fn call_ports(&mut self, otherwise: impl Fn(&str) -> String) {
+        let of_drives = self.drives.values_mut().filter_map(|drive| drive.port.as_mut());
+        let typed = of_drives.chain(&mut self.port).filter(|port| !self.ports.contains_key(*port));
+        typed.for_each(|port| *port = otherwise(port));
+        self.ports.values_mut().for_each(|port| port.path = otherwise(&port.path));
+    }
+
     /// Puts in each drive what its port says, and looks whether everything fits together.
     fn settle(&mut self) -> Result<(), Fault> {
         if let Some(name) = self.drives.keys().find(|name| is_several(name)) {

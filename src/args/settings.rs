@@ -7,7 +7,7 @@ use super::low::{Environment, Low, Origin, Typed, wrong_at_origin};
 use super::warned::{catalogue_notes, network_note};
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
-use crate::files;
+use crate::files::{self, FileError};
 use crate::profile::{CatalogueFile, Lang};
 use crate::protocol::Protocol;
 use crate::protocol::dp::NAME as DP;
@@ -423,10 +423,8 @@ fn catalogues(low: &Low<'_>, environment: &Environment) -> Result<Vec<CatalogueF
     paths.extend(named.map(|path| environment.directory.join(path)));
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let text = files::read(&path, files::TEXT).map_err(|error| {
-            let text = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
-            Failure::new(Class::Data, "data.catalogue", text)
-        })?;
+        let unread = |error: FileError| Failure::new(Class::Data, "data.catalogue", error.of(&path));
+        let text = files::read(&path, files::TEXT).map_err(unread)?;
         Ok(CatalogueFile { path: shown, text })
     };
     paths.into_iter().map(read).collect()

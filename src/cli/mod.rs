@@ -97,7 +97,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         Some(view) => kept(flow.as_ref())
             .and_then(|keep| Ok(Stream::open(view, out.as_mut(), manner, &console)?.beside(keep)))
             .map(|stream| stream.recorded(recorded(flow, format, globals.force)))
-            .and_then(|stream| streamed(stream, entry.name, |stream| carry_out(Some(stream)))),
+            .and_then(|stream| streamed(stream, (entry.name, &console), |stream| carry_out(Some(stream)))),
     };
     let exit = |outcome: Outcome| outcome.failure.map_or(0, |failure| failure.class.exit());
     printed.map_or_else(|error| closed(&error, &console), exit)
@@ -139,16 +139,15 @@ fn print(
     };
     match printed {
         Ok(None) => 0,
-        Ok(Some(failure)) if globals.json => {
-            let code = failure.class.exit();
-            match render::print(&failure.into(), page.name, Format::Json, Manner::of(console.lang()), out, console) {
-                Ok(()) => code,
-                Err(error) => closed(&error, console),
-            }
-        }
         Ok(Some(failure)) => {
-            console.failure(&failure);
-            failure.class.exit()
+            let (code, manner) = (failure.class.exit(), Manner::of(console.lang()));
+            let document = || render::print(&failure.clone().into(), page.name, Format::Json, manner, out, console);
+            match globals.json.then(document) {
+                Some(Ok(())) => {}
+                Some(Err(error)) if !is_closed(&error) => return closed(&error, console),
+                _ => console.failure(&failure),
+            }
+            code
         }
         Err(error) => closed(&error, console),
     }
@@ -157,13 +156,20 @@ fn print(
 /// Prints what is found as it comes.
 fn streamed<'o>(
     stream: Stream<'o>,
-    verb: &'static str,
+    (verb, console): (&'static str, &Console),
     carry_out: impl FnOnce(&RefCell<Stream<'o>>) -> Outcome,
 ) -> io::Result<Outcome> {
     let stream = RefCell::new(stream);
     let outcome = carry_out(&stream);
     match stream.into_inner().finish(&outcome, verb) {
         Err(error) if is_untaken(&error) => Ok(outcome),
+        // It was ended by whoever closed the pipe, or it had failed before.
+        Err(error)
+            if is_closed(&error) && outcome.failure.as_ref().is_some_and(|it| it.class != Class::Interrupted) =>
+        {
+            outcome.failure.iter().for_each(|failure| console.failure(failure));
+            Ok(outcome)
+        }
         printed => printed.map(|()| outcome),
     }
 }
@@ -184,12 +190,11 @@ fn whole(
 ) -> io::Result<Outcome> {
     match render::print(&outcome, verb.name, format, manner, out, console) {
         // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn. So must
-        // what was written, and which file takes it back; and who asked whether drives are as they shall be has his answer.
+        // what was written, and which file takes it back. What failed is no success because nobody reads it.
         Err(error)
             if outcome.is_run()
                 || outcome.has_written()
-                || outcome.is_verdict()
-                || verb.turns && outcome.failure.is_some() =>
+                || outcome.failure.is_some() && (verb.turns || is_closed(&error)) =>
         {
             let outcome = unwritten(outcome, &error);
             render::print_end(&outcome, verb.name, Manner { color: false, ..manner }, console);
@@ -272,10 +277,15 @@ fn may_color(choice: ColorChoice, environment: &Environment, out_is_terminal: bo
     }
 }
 
-/// A pipe that was closed on the other side is a success: the reader has what it wanted.
-fn closed(error: &io::Error, console: &Console) -> u8 {
+/// Whether the pipe was closed on the other side: the reader has what it wanted.
+fn is_closed(error: &io::Error) -> bool {
     // ERROR_PIPE_NOT_CONNECTED (233) is one of Windows' ways to say so, and std does not know it.
-    if error.kind() == io::ErrorKind::BrokenPipe || cfg!(windows) && error.raw_os_error() == Some(233) {
+    error.kind() == io::ErrorKind::BrokenPipe || cfg!(windows) && error.raw_os_error() == Some(233)
+}
+
+/// A closed pipe is a success.
+fn closed(error: &io::Error, console: &Console) -> u8 {
+    if is_closed(error) {
         return 0;
     }
     let said = of_system(error);

@@ -38,12 +38,15 @@ pub(super) fn explain(
     let place = Place::of_error(&words, error);
     let failure = Again::guessed(arguments).hinted(as_typed(place.failure(error), &words));
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
-        let (outcome, verb, manner) = (Outcome::from(failure), place.verb(), Manner::of(lang));
-        let _closed = if verb == "monitor" {
+        let (outcome, verb, manner) = (Outcome::from(failure.clone()), place.verb(), Manner::of(lang));
+        let printed = if verb == "monitor" {
             Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome, "monitor"))
         } else {
             render::print(&outcome, verb, Format::Json, manner, out, &console)
         };
+        if printed.is_err() {
+            console.failure(&failure);
+        }
     } else if place.path.is_empty() && error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         // `antrieb` alone shows its help.
         overview::of(place.root).render_help().to_string().lines().for_each(|line| console.line(line));

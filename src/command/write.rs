@@ -84,7 +84,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let (family, planned) =
         offline(context.settings, context.registry, |family| steps(args, family, terms.own_address()))?;
     super::on_bus::check(context.settings, &planned)?;
-    for note in [better_by_line(&planned, &family), is_a_stop(&planned, &family)].into_iter().flatten() {
+    for note in
+        [better_by_line(&planned, &family, terms.own_address()), is_a_stop(&planned, &family)].into_iter().flatten()
+    {
         (context.observe)(Event::Note(note));
     }
     if context.settings.dry_run {
@@ -188,9 +190,9 @@ fn is_number(text: &str) -> bool {
 }
 
 /// What is a setting of the line has a verb of its own, which goes with it.
-fn better_by_line(steps: &[Step], family: &Family) -> Option<Text> {
+fn better_by_line(steps: &[Step], family: &Family, own: Option<Role>) -> Option<Text> {
     let verbs = [
-        (Role::Address, "line set --address"),
+        (own.unwrap_or(Role::Address), "line set --address"),
         (Role::BaudRate, "line set --baud"),
         (Role::Parity, "line set --parity"),
         (Role::Protocol, "protocol set"),

@@ -3,6 +3,7 @@
 use super::pump::PumpError;
 use super::route::No;
 use crate::exchange::ExchangeError;
+use crate::profile::Family;
 use crate::transport::LinkError;
 
 /// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
@@ -17,6 +18,20 @@ pub struct Refusal {
     pub cause: Option<u16>,
     /// The answer that told the cause was lost, and reading had cleared it.
     pub unheard: bool,
+}
+
+impl Refusal {
+    /// Whether its cause says that the drive has no such parameter, or does not tell it.
+    pub fn denies(self, family: &Family) -> bool {
+        let row = self.cause.and_then(|cause| family.error(cause.into()));
+        row.is_some_and(|row| row.denies)
+    }
+
+    /// Whether it says so if it is said twice: the code of the refusal is of what was asked, and there is no cause beside it. Once, a
+    /// damaged question brings it too.
+    pub fn denies_if_repeated(self) -> bool {
+        self.cause.is_none() && !self.unheard && self.no.is_of_what_was_asked()
+    }
 }
 
 /// Why a question brought no value.
@@ -55,9 +70,12 @@ impl AccessError {
         matches!(self, AccessError::Refused(Refusal { unheard: true, .. }))
     }
 
-    /// Whether the drive said that it has no such thing, or does not tell it: not that it is busy, nor for a cause that was lost.
-    pub fn denies(&self) -> bool {
-        matches!(self, AccessError::Refused(Refusal { no, unheard: false, .. }) if no.is_of_what_was_asked())
+    /// What the drive said in place of a value.
+    pub fn refusal(&self) -> Option<Refusal> {
+        match self {
+            AccessError::Refused(refusal) => Some(*refusal),
+            _ => None,
+        }
     }
 
     /// Whether it may be otherwise a moment later: the drive is busy.

@@ -56,15 +56,11 @@ impl No {
         }
     }
 
-    /// Whether it says something of what was asked for, and not of the moment or the way there.
+    /// Whether the code alone says something of what was asked for (V1.1b3 7), and not of the moment, the way there, or that the
+    /// cause stands elsewhere.
     pub(super) fn is_of_what_was_asked(self) -> bool {
-        use Exception::{DeviceFailure, IllegalDataAddress, IllegalDataValue, IllegalFunction};
-        match self {
-            No::Nak | No::Abort(_) => true,
-            No::Exception(code) => {
-                matches!(code, IllegalFunction | IllegalDataAddress | IllegalDataValue | DeviceFailure)
-            }
-        }
+        use Exception::{IllegalDataAddress, IllegalDataValue, IllegalFunction};
+        matches!(self, No::Exception(IllegalFunction | IllegalDataAddress | IllegalDataValue))
     }
 
     /// Whether it may be otherwise a moment later: busy (V1.1b3 7).

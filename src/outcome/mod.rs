@@ -107,11 +107,6 @@ impl Outcome {
             _ => false,
         }
     }
-
-    /// Whether its exit code says how drives are, and not what could be read of them.
-    pub fn is_verdict(&self) -> bool {
-        matches!(self.data, Some(Data::Comparisons(_) | Data::Plant(_) | Data::PlantCheck(_))) && self.failure.is_some()
-    }
 }
 
 impl From<Failure> for Outcome {

@@ -110,6 +110,9 @@ pub struct ErrorRow {
     pub de: String,
     /// What to do.
     pub hint: Text,
+    /// To who reads, it says that the drive has no such parameter, or does not tell it.
+    #[serde(default)]
+    pub denies: bool,
     /// Takes the place of the same row of an earlier catalogue.
     #[serde(default)]
     pub(super) replace: bool,

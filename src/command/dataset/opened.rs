@@ -32,9 +32,7 @@ impl Opened {
     pub(in crate::command) fn read(path: &Path, registry: &Registry, named: Option<&str>) -> Result<Self, Failure> {
         let shown = path.display().to_string();
         let bad = |code: &str, why: Text| Failure::new(Class::Data, code, why);
-        let text = files::read(path, files::TEXT).map_err(|error| {
-            bad("data.parameter_file", both!("{shown}: {why}", "{shown}: {why}", why = error.text()))
-        })?;
+        let text = files::read(path, files::TEXT).map_err(|error| bad("data.parameter_file", error.of(path)))?;
         let file = ParamFile::parse(&shown, &text).map_err(|fault| broken(&fault))?;
         let word = &file.head.drive.family;
         let family = registry.family(word).ok_or_else(|| {

@@ -1,6 +1,6 @@
 //! `init`: the project file of a plant, from a scan.
 
-use crate::args::{Addresses, Settings, Takes, in_directory, usb_ports};
+use crate::args::{Addresses, Settings, Takes, in_directory, port_from_elsewhere, usb_ports};
 use crate::command::verb::{Flow, Verb, Working};
 use crate::command::{Context, scan};
 use crate::drive::Upper;
@@ -63,7 +63,10 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     let is_whole = failure.as_ref().is_none_or(|failure| failure.class != Class::Interrupted);
     let (drives, unknown) = named(found);
     let mut init = Init { project: None, drives, unknown };
-    let text = text(&init, settings.lang);
+    // A file counts its ports from where it stands.
+    let is_elsewhere = args.file.parent().is_some_and(|folder| !folder.as_os_str().is_empty());
+    let called = |port: &str| if is_elsewhere { port_from_elsewhere(&settings, port) } else { port.to_owned() };
+    let text = text(&init, settings.lang, called);
     let failure = match failure {
         Some(failure) if !is_whole => Some(cut_short(failure, keep(&path, &init, &text))),
         failure => {
@@ -170,7 +173,7 @@ fn free(name: String, taken: &mut BTreeSet<String>) -> String {
 }
 
 /// The project file.
-fn text(init: &Init, lang: Lang) -> String {
+fn text(init: &Init, lang: Lang, called: impl Fn(&str) -> String) -> String {
     let mut text = String::new();
     comment(&mut text, &head(), lang);
     let mut ports: BTreeMap<&str, (String, &FoundDrive)> = BTreeMap::new();
@@ -180,7 +183,7 @@ fn text(init: &Init, lang: Lang) -> String {
             continue;
         }
         let name = free(port_name(&found.port), &mut taken);
-        let _ = write!(text, "\n[ports.{name}]\npath = {}\n{}", quoted(&found.port), line_of(found));
+        let _ = write!(text, "\n[ports.{name}]\npath = {}\n{}", quoted(&called(&found.port)), line_of(found));
         ports.insert(&found.port, (name, found));
     }
     for NamedFind { called, found } in &init.drives {

@@ -84,12 +84,7 @@ fn is_dcf(path: &Path) -> bool {
 }
 
 pub(super) fn read(paths: &[PathBuf]) -> Result<Plan, Failure> {
-    let text = |path: &PathBuf| {
-        files::read(path, files::RECORDING).map_err(|error| {
-            let why = error.text();
-            wrong(both!("{path}: {why}", "{path}: {why}", path = path.display(), why))
-        })
-    };
+    let text = |path: &PathBuf| files::read(path, files::RECORDING).map_err(|error| wrong(error.of(path)));
     if paths.iter().all(|path| is_dcf(path)) {
         let named = |path: &PathBuf| Ok((path.display().to_string(), text(path)?));
         let texts = paths.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;

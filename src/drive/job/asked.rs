@@ -1,6 +1,6 @@
 //! What is asked before values are written.
 
-use super::{Job, Step, cuts};
+use super::{Job, Step, cuts, is_elsewhere};
 use crate::drive::{Session, describe, who};
 use crate::gate::{Hazard, Question};
 use crate::outcome::{Decimal, WriteResult, Written};
@@ -42,7 +42,7 @@ pub fn question(jobs: &[Job], own: Option<Role>) -> Option<Question> {
     let mut hazards = vec![Hazard::Write];
     let mut details = Vec::new();
     for (job, (step, _)) in &todo {
-        hazards.extend(hazards_of(step, &job.target.family));
+        hazards.extend(hazards_of(step, &job.target.family, own));
     }
     for alike in todo.chunk_by(|(_, (_, one)), (_, (_, other))| is_alike(one, other)) {
         let sets = ranges(alike.iter().map(|(_, (_, row))| row.data_set.into())).replace(", ", ",");
@@ -75,13 +75,14 @@ fn is_alike(one: &Written, other: &Written) -> bool {
     what(one) == what(other) && one.data_set > 0 && other.data_set > 0
 }
 
-fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {
+fn hazards_of(step: &Step, family: &Family, own: Option<Role>) -> Vec<Hazard> {
     let (_, store) = describe::place(step.set);
     let mut hazards = Vec::new();
     if store == Store::Eeprom && !step.param.is_volatile() && family.link.route.has_data_sets() {
         hazards.push(Hazard::Wear);
     }
-    hazards.extend(step.param.hazard.map(|hazard| match hazard {
+    let is_here = |hazard: &HazardKind| *hazard != HazardKind::Line || !is_elsewhere(&step.param, family, own);
+    hazards.extend(step.param.hazard.filter(is_here).map(|hazard| match hazard {
         HazardKind::Motion => Hazard::Motion,
         HazardKind::Line => Hazard::Line,
         HazardKind::Reset => Hazard::Reset,

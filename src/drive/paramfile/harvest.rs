@@ -5,7 +5,7 @@
 
 use super::asked::Asking;
 use crate::drive::transfer::hides_width;
-use crate::drive::{AccessError, Reading, Session, Target, describe};
+use crate::drive::{AccessError, Reading, Refusal, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::profile::paramfile::{At, NotHeld, Setting, Settings};
@@ -148,7 +148,7 @@ impl Work<'_, '_> {
         let readings: BTreeMap<u32, Reading> = readings.into_iter().collect();
         for param in &params {
             if let Some(reading) = readings.get(&param.id) {
-                self.take(param, vec![(0, Ok(reading.clone()))]);
+                self.take(param, vec![(0, Ok(reading.clone()))], false);
             }
         }
         if let Err(error) = end {
@@ -156,7 +156,20 @@ impl Work<'_, '_> {
         }
     }
 
+    /// Asks for a parameter, and once more where nobody knows why it was refused.
     async fn ask(&mut self, one: &Asking) {
+        let mut rows = self.read(one).await;
+        let first = refusal(&rows);
+        if first.is_some_and(|first| !first.denies(&self.target.family)) {
+            rows = self.read(one).await;
+        }
+        let denies =
+            |last: Refusal| last.denies(&self.target.family) || first == Some(last) && last.denies_if_repeated();
+        let is_denied = refusal(&rows).is_some_and(denies);
+        self.take(&one.param, rows, is_denied);
+    }
+
+    async fn read(&mut self, one: &Asking) -> Rows {
         let mut rows = Vec::new();
         let asked = presumed(&one.param);
         for &sets in &one.sets {
@@ -166,19 +179,19 @@ impl Work<'_, '_> {
             }
         }
         // Where the answer that told why was lost, the four were asked although they are equal.
-        if let [DataSets::Unnamed] = one.sets.as_slice() {
-            rows = all_at_once(rows);
+        match one.sets.as_slice() {
+            [DataSets::Unnamed] => all_at_once(rows),
+            _ => rows,
         }
-        self.take(&one.param, rows);
     }
 
-    /// Takes the values of a parameter: all of them, or none.
-    fn take(&mut self, param: &Param, rows: Vec<(u8, Result<Reading, AccessError>)>) {
+    /// Takes the values of a parameter: all of them, or none. `is_denied`: the drive does not have it, or does not tell it.
+    fn take(&mut self, param: &Param, rows: Rows, is_denied: bool) {
         let mut readings = Vec::new();
         for (_, row) in rows {
             match row {
                 Ok(reading) => readings.push(reading),
-                Err(error) => return self.miss(param, &error),
+                Err(error) => return self.miss(param, &error, is_denied),
             }
         }
         self.silences = 0;
@@ -201,12 +214,12 @@ impl Work<'_, '_> {
         self.so_far.forget(param.id);
     }
 
-    fn miss(&mut self, param: &Param, error: &AccessError) {
+    fn miss(&mut self, param: &Param, error: &AccessError, is_denied: bool) {
         if error.is_fatal() {
             return self.end(error);
         }
         let failure = error.failure(self.target.address, Some(&self.target.family)).with("param", param.id);
-        let is_refused = failure.class == Class::Data || error.denies();
+        let is_refused = failure.class == Class::Data || is_denied;
         self.silences = if is_refused || failure.class == Class::Refused { 0 } else { self.silences + 1 };
         self.so_far.leave(param.id, if is_refused { NotHeld::Refused } else { NotHeld::Unanswered });
         self.so_far.failures.insert(param.id, failure.clone());
@@ -246,7 +259,8 @@ impl Work<'_, '_> {
                     if !error.is_fatal() {
                         self.drop(param);
                     }
-                    self.miss(param, &error);
+                    // It has told it once: it has it.
+                    self.miss(param, &error, false);
                 }
             }
         }
@@ -258,8 +272,16 @@ impl Work<'_, '_> {
     }
 }
 
+/// What was answered, by data sets.
+type Rows = Vec<(u8, Result<Reading, AccessError>)>;
+
+/// What the drive said in place of a value.
+fn refusal(rows: &[(u8, Result<Reading, AccessError>)]) -> Option<Refusal> {
+    rows.iter().find_map(|(_, row)| row.as_ref().err()?.refusal())
+}
+
 /// Four data sets that hold the same, as the one value that data set 0 is.
-fn all_at_once(rows: Vec<(u8, Result<Reading, AccessError>)>) -> Vec<(u8, Result<Reading, AccessError>)> {
+fn all_at_once(rows: Rows) -> Rows {
     let [(1, Ok(first)), others @ ..] = rows.as_slice() else { return rows };
     let is_same = |(_, other): &(u8, Result<Reading, AccessError>)| {
         other.as_ref().is_ok_and(|other| Reading { set: first.set, ..other.clone() } == *first)

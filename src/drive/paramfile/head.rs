@@ -76,10 +76,14 @@ pub fn broken(fault: &FileFault) -> Failure {
     match fault.newer {
         true => Failure::new(Class::Data, "data.newer_format", fault.text())
             .hint(both!("a newer antrieb reads it", "ein neueres antrieb liest sie")),
-        false => Failure::new(Class::Data, "data.parameter_file", fault.text()).hint(both!(
-            "`antrieb params` lists the names; `antrieb dataset save FILE` writes a file as it has to be",
-            "`antrieb params` zeigt die Namen; `antrieb dataset save DATEI` schreibt eine Datei, wie sie sein muss"
-        )),
+        false => {
+            let usual = both!(
+                "`antrieb params` lists the names; `antrieb dataset save FILE` writes a file as it has to be",
+                "`antrieb params` zeigt die Namen; `antrieb dataset save DATEI` schreibt eine Datei, wie sie sein muss"
+            );
+            let hint = fault.hint.as_deref().cloned().unwrap_or(usual);
+            Failure::new(Class::Data, "data.parameter_file", fault.text()).hint(hint)
+        }
     }
 }
 
@@ -109,7 +113,10 @@ fn told(reason: NotHeld) -> Text {
             "refused by the drive: it does not have them, or does not tell them",
             "vom Antrieb abgelehnt: er hat sie nicht oder zeigt sie nicht",
         ),
-        NotHeld::Unanswered => Text::new("no valid answer came", "keine gültige Antwort"),
+        NotHeld::Unanswered => Text::new(
+            "no valid answer came, or one that refuses and does not say why",
+            "keine gültige Antwort, oder eine Ablehnung, die nicht sagt, warum",
+        ),
         NotHeld::NotAsked => Text::new("not asked yet", "noch nicht gefragt"),
         NotHeld::FactorySetting => Text::new("at their factory setting", "auf Werkseinstellung"),
         NotHeld::NoKnownFactorySetting => {

@@ -4,6 +4,7 @@
 //! out. [`ParamFile::parse`] takes a text apart, [`ParamFile::settings`] resolves its lines by the catalogue of its family,
 //! [`Settings::lay_over`] lays later files over earlier ones, [`print()`] writes a file.
 
+mod advice;
 mod file;
 mod parse;
 mod print;

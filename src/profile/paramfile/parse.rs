@@ -1,5 +1,6 @@
 //! From the text of a parameter file to what stands in it, or to the place where it is broken.
 
+use super::advice::advice;
 use super::file::{At, Head, Line, NotHeld, ParamFile, Provenance, SavedDrive, Undo, VERSION};
 use super::ranges::numbers;
 use super::signature::Signature;
@@ -29,11 +30,13 @@ pub struct FileFault {
     pub why: Text,
     /// It is right, but made by a newer program.
     pub newer: bool,
+    /// What to do, where that is known.
+    pub hint: Option<Box<Text>>,
 }
 
 impl FileFault {
     pub(super) fn new(at: At, why: Text) -> Self {
-        FileFault { at, why, newer: false }
+        FileFault { at, why, newer: false, hint: None }
     }
 
     /// In words for people.
@@ -204,7 +207,7 @@ impl Source<'_> {
     /// What the reader of TOML says.
     fn toml(&self, error: &toml::de::Error) -> FileFault {
         let (at, why) = stumbled(error);
-        self.fault(at, why)
+        FileFault { hint: advice(self.text, at, error.message()).map(Box::new), ..self.fault(at, why) }
     }
 
     /// The version comes first: a newer file may hold what is unknown here, and that is not its fault.

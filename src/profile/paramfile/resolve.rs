@@ -1,5 +1,6 @@
 //! What the lines of a file mean for a drive of its family.
 
+use super::advice::no_value;
 use super::file::{Line, ParamFile};
 use super::parse::FileFault;
 use super::settings::{Setting, Settings};
@@ -122,14 +123,13 @@ fn raw(line: &Line, family: &Family, param: &Param, kind: Option<Type>) -> Resul
     let raw = match line.value.strip_prefix("raw ") {
         Some(raw) => value::parse_decimal(raw.trim(), 0).map_err(fault)?,
         None => value::parse(&line.value, param, &family.choices(param)).map_err(|error| {
-            let FileFault { at, why, newer } = fault(error.clone());
-            match error {
-                ValueError::NoScale { .. } => {
-                    let why = both!("{why}; `raw 1234` is the integer", "{why}; `raw 1234` ist die Ganzzahl", why);
-                    FileFault { at, why, newer }
-                }
-                _ => FileFault { at, why, newer },
+            let is_scale = matches!(error, ValueError::NoScale { .. });
+            let mut fault = fault(error);
+            if is_scale {
+                let why = fault.why;
+                fault.why = both!("{why}; `raw 1234` is the integer", "{why}; `raw 1234` ist die Ganzzahl", why);
             }
+            FileFault { hint: line.value.trim().is_empty().then(|| Box::new(no_value())), ..fault }
         })?,
     };
     match kind.map(|kind| (kind, family.link.route.carried(kind))) {

@@ -32,7 +32,7 @@ fn a_closed_pipe_is_a_success() {
                 if run.out.len() <= bytes {
                     continue;
                 }
-                let cut = antrieb(&format!("{line} --format {format}")).into_pipe_of(bytes).exits(0);
+                let cut = antrieb(&format!("{line} --format {format}")).into_pipe_of(bytes).exits(run.exit);
                 assert!(!cut.err.contains("cannot write"), "{line} {format} {bytes}: {}", cut.err);
                 assert!(run.out.starts_with(&cut.out), "{line} {format} {bytes}");
             }
@@ -40,6 +40,35 @@ fn a_closed_pipe_is_a_success() {
     }
     for line in ["--help", "schema", "schema read", "completions bash", "man", "man read", "--version"] {
         antrieb(line).into_pipe_of(5).exits(0);
+    }
+}
+
+/// The pipe concerns what is printed, not what came of it.
+#[test]
+fn a_closed_pipe_makes_no_error_a_success() {
+    for line in [
+        "-p sim -a 1 read nowhere",
+        "-p sim -a 1 --config nowhere.toml read 480",
+        "-p sim:nowhere.toml -a 1 read 480",
+        "-p sim -a 9 read 480",
+        "-p sim -a 1 read 1600",
+        "-p sim -a 1 dataset check nowhere.toml",
+        "-p sim -a 1 monitor nowhere",
+        "-p sim -a 9 monitor --count 2 --unpaced",
+        "-p sim -a 1 write nowhere=1",
+        "-p sim -a 1 diag --nowhere",
+        "decode telegram xy",
+        "params nowhere",
+        "schema nowhere",
+    ] {
+        for form in ["", "--json", "--format ndjson"] {
+            let whole = antrieb(line).and(form).run();
+            assert_ne!(whole.exit, 0, "{line} {form}");
+            for bytes in [0, 5] {
+                let cut = antrieb(line).and(form).into_pipe_of(bytes).exits(whole.exit);
+                assert!(whole.out.len() <= bytes || cut.err.contains("error: "), "{line} {form} {bytes}: {}", cut.err);
+            }
+        }
     }
 }
 

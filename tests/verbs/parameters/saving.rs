@@ -22,7 +22,8 @@ fn file(text: &str) -> ParamFile {
     ParamFile::parse("x.toml", text).unwrap()
 }
 
-/// A reply that is late, or a drive that is busy for a moment, says nothing of the parameter: it is in the file, or the save is not complete.
+/// A reply that is late, a drive that is busy for a moment, a refusal without a cause: none says anything of the parameter. It is in the file, or the
+/// save is not complete.
 #[test]
 fn no_value_is_missing_from_a_file_that_is_complete() {
     let bench = |disturb: &str| format!("{}{disturb}", cube("\"372@3\" = 1000, \"480@3\" = 9"));
@@ -37,9 +38,12 @@ fn no_value_is_missing_from_a_file_that_is_complete() {
     let (_, all) = count(&whole);
     let late =
         [3, 5, 9, 23, 26, 40].map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"late\"\nby = \"1200ms\"\n"));
-    let busy = [5, 6, 7, 8].map(|code| format!("[[disturb]]\nonce = 45\nkind = \"exception\"\nbyte = {code}\n"));
-    for disturb in late.iter().chain(&busy) {
-        let run = saved(disturb);
+    let refused = |code, once| format!("[[disturb]]\nonce = {once}\nkind = \"exception\"\nbyte = {code}\n");
+    let once = (1..=8).map(|code| refused(code, 45));
+    // Twice without a cause: P.11 is read between, and tells none.
+    let twice = [(4, 47), (5, 46)].map(|(code, again)| refused(code, 45) + &refused(code, again));
+    for disturb in late.into_iter().chain(once).chain(twice) {
+        let run = saved(&disturb);
         let (is_complete, values) = count(&run);
         // Also where the sets were asked one by one because a cause was lost: what is equal in all is one line.
         let is_whole = values == all;

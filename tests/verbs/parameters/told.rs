@@ -68,6 +68,58 @@ fn what_is_refused_of_a_file_is_named_with_its_line_and_column() {
     assert!(!sets.contains("5-9"), "{sets}");
 }
 
+/// Slips of the hand, each with what helps.
+#[test]
+fn what_is_wrong_with_a_line_comes_with_what_would_be_right() {
+    for (values, place, hint) in [
+        ("\"480\" = 12,5", "f.toml:5:", "stands in quotes: \"480\" = \"12,5\""),
+        ("480 = 12.50 Hz", "f.toml:5:", "stands in quotes: 480 = \"12.50 Hz\""),
+        ("372 = 1400\n480 = 5\n480 = 6", "f.toml:7:1:", "line 6 has a value for it"),
+        ("480 =", "f.toml:5:", "of what is in no line nothing is written"),
+        ("480 = \"\"", "f.toml:5:", "of what is in no line nothing is written"),
+    ] {
+        for lang in ["en", "de"] {
+            let line = format!("--lang {lang} -a 1 dataset load {{dir}}/f.toml --yes");
+            let told = on_file(&line, &file(values)).exits(7).err;
+            assert!(told.contains(place) && (lang == "de" || told.contains(hint)), "{values}: {told}");
+            assert!(!told.contains("dataset save"), "{told}");
+        }
+    }
+    on_file("-a 1 dataset load {dir}/f.toml --yes", &file("480 = \"12,5\"")).exits(0);
+}
+
+#[test]
+fn a_file_in_other_letters_is_refused_with_its_place() {
+    for (line, name) in [
+        ("-p sim -a 1 dataset check {dir}/f.toml", "f.toml"),
+        ("-p sim:{dir}/f.toml -a 1 read 480", "f.toml"),
+        ("-p sim --catalogue {dir}/f.toml -a 1 read 480", "f.toml"),
+        ("-p sim -a 1 read 480", "antrieb.toml"),
+    ] {
+        for lang in ["en", "de"] {
+            let run = antrieb(&format!("--lang {lang} {line}"));
+            std::fs::write(run.directory().join(name), b"# Grundwerte\n# f\xC3\xBCr M\xFCller\n").unwrap();
+            let told = run.exits(7).err;
+            assert!(told.contains(&format!("{name}:2:8: ")) && told.contains("UTF-8"), "{told}");
+        }
+    }
+}
+
+/// From wherever the program is started. Names of devices are names.
+#[test]
+fn ports_of_a_project_file_begin_where_it_stands() {
+    let on = |line: &str, port: &str| {
+        let project = format!("[ports.left]\npath = \"{port}\"\n[drives.a]\nport = \"left\"\naddress = 1\n");
+        let site = antrieb(&format!("--config {{dir}}/site/antrieb.toml {line}")).file("site/antrieb.toml", &project);
+        site.file("site/left.bench", FRESH).file("site/p0", "")
+    };
+    on("-a a read 480", "sim:left.bench").exits(0);
+    for (port, begins_there) in [("p0", true), ("./nowhere", true), ("ttyUSB77", false), ("/dev/ttyUSB77", false)] {
+        let told = on("-a a read 480", port).exits(3).err;
+        assert_eq!(told.contains("/site/"), begins_there, "{port}: {told}");
+    }
+}
+
 #[test]
 fn a_file_whose_name_promises_another_form_is_said_to_be_toml() {
     for name in ["f.csv", "f.json"] {

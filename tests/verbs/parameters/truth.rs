@@ -284,6 +284,13 @@ fn which_address_cuts_the_line_depends_on_what_is_spoken() {
         let told = write(other).json().exits(0);
         assert_eq!((told.data("/values/0/result"), told.warnings().len()), (&"verified".into(), 0), "{protocol}");
         assert_eq!(write(cuts).json().warnings(), ["line.changed"], "{protocol}");
+        let asked = |number: u32| {
+            let line = format!("--protocol {protocol} -a 1 write {number} 7");
+            antrieb(&line).on(&bench).answered("n").exits(8).err
+        };
+        let told = [cuts, other].map(asked);
+        assert_eq!(told.each_ref().map(|told| told.contains("LINE: ")), [true, false], "{protocol}: {told:?}");
+        assert_eq!(told.map(|told| told.contains("line set --address")), [true, false], "{protocol}");
     }
 }
 

@@ -1,0 +1,37 @@
+//! What to do about a line of a file that is no TOML: slips that are made by hand, in words that help.
+
+use crate::text::{Text, both};
+
+/// What helps where the reader of TOML stumbled, at this byte; `None` where the format says all there is.
+pub(super) fn advice(text: &str, at: usize, error: &str) -> Option<Text> {
+    let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (before, line) = (text.get(..start)?, text.get(start..)?.lines().next()?);
+    let (key, value) = line.split('#').next()?.split_once('=')?;
+    let (key, value) = (key.trim(), value.trim());
+    if error.starts_with("duplicate key") {
+        let same = |line: &&str| line.split_once('=').is_some_and(|(other, _)| other.trim() == key);
+        let first = before.lines().count() - before.lines().rev().position(|line| same(&line))?;
+        return Some(both!(
+            "line {first} has a value for it: keep one of the two",
+            "in Zeile {first} steht ein Wert dafür: einen von beiden behalten"
+        ));
+    }
+    if value.is_empty() {
+        return Some(no_value());
+    }
+    let is_quoted = value.starts_with(['"', '\'', '[', '{']);
+    (!is_quoted && !key.is_empty()).then(|| {
+        both!(
+            "a value with a comma or a unit stands in quotes: {key} = \"{value}\"",
+            "ein Wert mit Komma oder Einheit steht in Anführungszeichen: {key} = \"{value}\""
+        )
+    })
+}
+
+/// What helps where a line has no value.
+pub(super) fn no_value() -> Text {
+    both!(
+        "the value stands behind `=`; of what is in no line nothing is written",
+        "der Wert steht hinter `=`; wovon keine Zeile da ist, davon wird nichts geschrieben"
+    )
+}
