@@ -5032,7 +5032,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__statemachine)
-            opts="-p -a -b -q -v -h --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts"
+            opts="-p -a -b -q -v -h --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -5043,6 +5043,10 @@ _antrieb() {
                     return 0
                     ;;
                 --slot-time)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --mode)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -2,15 +2,18 @@
 
 mod given;
 pub(super) mod job;
+mod mode;
 pub(super) mod read;
 pub(super) mod run;
 mod show;
+pub(super) mod spoken;
 mod taking;
 mod told;
 pub(super) mod write;
 
 pub use given::SlaveArgs;
 pub(super) use show::show;
+pub use spoken::ModeArg;
 pub(super) use taking::refuse;
 
 use super::verb::{Verb, Working};

@@ -39,7 +39,8 @@ use wanted::{Spoken, Wanted, spoken, understand};
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
 ///
-/// Over PROFIBUS (--protocol dp) a motor runs only while data are exchanged: Hz or %, with --enable --hold, or --jog.
+/// Over PROFIBUS (--protocol dp) a motor runs only while data are exchanged: Hz or %, with --enable --hold, or --jog. --mode basic or
+/// profidrive says by which words.
 ///
 /// What the drive makes of it by its own settings (an ACTIVE adds its internal setpoint with P.434 = 3, and bounds it by
 /// P.418 and P.419) is worked out and told before you are asked. What stands in a drive from before and would turn the
@@ -54,13 +55,14 @@ pub struct Args {
 
     /// What is set, where the unit does not tell
     ///
-    /// frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)
+    /// frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05). PROFIBUS: how the slave is led, basic
+    /// or profidrive, else as Get_Cfg tells.
     #[arg(long, value_name = "MODE", hide_short_help = true)]
     pub mode: Option<String>,
 
     /// Set a parameter first, such as RAMPacc=2000
     ///
-    /// One of the mode. With --hold it is given back.
+    /// One of the mode. With --hold it is given back. PROFIBUS: the ramps of the Basic block, F002=5s and F003=5s.
     #[arg(long = "set", value_name = "PARAMETER=VALUE", hide_short_help = true)]
     pub options: Vec<String>,
 

@@ -6,6 +6,7 @@ mod ending;
 mod exchange;
 mod line;
 mod live;
+mod mode;
 mod phrase;
 mod read;
 mod run;
@@ -18,15 +19,16 @@ mod words;
 mod write;
 
 pub use ending::Ending;
-pub use exchange::{Exchange, WATCHDOG};
+pub use exchange::{Exchange, Taking, WATCHDOG};
 pub use line::Line;
-pub use live::{everybody, live, questions};
+pub use live::{configured, everybody, live, questions};
+pub use mode::{Mode, Ramps, Seen, basic_block};
 pub use read::Haul;
 pub use run::{Lending, Rights, Run};
 pub use shown::Shown;
-pub use state::of as state;
+pub use state::{fault, of as state};
 pub use trouble::motion::coasting;
-pub use words::{Course, Seen, Wanted, words};
+pub use words::{Course, Wanted, words};
 pub use write::{cyclic, planned};
 
 use super::decode::hex_bytes;

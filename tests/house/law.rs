@@ -125,6 +125,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::profibus::exchange",
             "drive::profibus::line",
             "drive::profibus::live",
+            "drive::profibus::mode",
             "drive::profibus::phrase",
             "drive::profibus::told",
             "drive::profibus::trouble",

@@ -1,6 +1,7 @@
 //! Parameters over PROFIBUS, read and written: the slave is taken, held by the stop word, and let go, however the work ends; the line
 //! itself is asked.
 
+mod basic;
 mod ends;
 mod rig;
 mod said;

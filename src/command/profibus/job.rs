@@ -1,9 +1,10 @@
 //! What a motor is to do over PROFIBUS, as it was typed.
 
 use super::given::SlaveArgs;
+use super::spoken::{Choice, usage};
 use crate::args::{MotionArgs, StopArg};
-use crate::drive::profibus::Wanted;
-use crate::failure::{Class, Failure};
+use crate::drive::profibus::{Mode, Wanted};
+use crate::failure::Failure;
 use crate::gate::Relief;
 use crate::profile::value::{format_decimal, parse_decimal};
 use crate::text::{Text, both};
@@ -26,6 +27,7 @@ pub(in crate::command) struct Job<'j> {
     pub(in crate::command) word: &'static str,
     pub(in crate::command) motion: &'j MotionArgs,
     pub(in crate::command) slave: &'j SlaveArgs,
+    pub(in crate::command) choice: Choice,
 }
 
 /// A setpoint as it was typed: `20Hz`, `-12.5Hz`, `30%`.
@@ -48,24 +50,20 @@ pub(in crate::command) fn is_zero(wanted: Wanted) -> bool {
     matches!(wanted, Wanted::Hertz(0) | Wanted::Percent(0))
 }
 
-pub(super) fn usage(message: Text) -> Failure {
-    Failure::new(Class::Usage, "usage.setpoint", message)
-}
-
 impl Job<'_> {
     /// Whether it only takes motion away.
     pub(super) fn is_stop(&self) -> bool {
         matches!(self.action, Action::Stop(_))
     }
 
-    /// How it ends, by the words of `--on-exit`.
-    pub(super) fn stop(&self) -> &'static str {
+    /// How it ends, by the words of `--on-exit`. Nothing coasts by a word of the Basic block.
+    pub(super) fn stop(&self, mode: Mode) -> &'static str {
         let coasts = match self.action {
             Action::Stop(act) => act == Relief::DisableVoltage,
             Action::Run(_) => self.motion.on_exit == StopArg::Coast,
             Action::Reset => false,
         };
-        if coasts { "coast" } else { "ramp" }
+        if coasts && !mode.is_basic() { "coast" } else { "ramp" }
     }
 
     pub(super) fn why(&self) -> Text {

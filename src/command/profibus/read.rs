@@ -2,6 +2,7 @@
 
 use super::given::{SlaveArgs, params};
 use super::open;
+use super::spoken::Spoken;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::{profibus, summary};
@@ -29,7 +30,7 @@ pub(in crate::command) async fn read(
     let why =
         both!("to read its parameters; nothing is written", "um ihre Parameter zu lesen; geschrieben wird nichts");
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
-    let permit = asking::off_line(interrupt, *ask, &question(address, &why)).await?;
+    let permit = asking::off_line(interrupt, *ask, &question(address, &why, Some(Spoken::Profidrive))).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
     let mut haul = profibus::Haul::default();
     let mut exchange = whom.exchange(&mut line, &permit);

@@ -1,14 +1,16 @@
-//! `sollwert` and `statemachine` with PROFIBUS spoken: a motor is run, stopped, reset and looked at by the words of PROFIdrive, and
-//! every end is the same: the stop word until the frequency is 0, then zero outputs, Clear, Unlock.
+//! `sollwert` and `statemachine` with PROFIBUS spoken: a motor is run, stopped, reset and looked at by the words of PROFIdrive or of
+//! the Basic block, and every end is the same: the stop word until the frequency is 0, then zero outputs, Clear, Unlock.
 
-use super::job::{Action, Job, spoken, usage};
+use super::job::{Action, Job, spoken};
+use super::mode::planned;
 use super::open;
+use super::spoken::usage;
 use super::taking::{Whom, question, whom};
 use super::told::{Told, report};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::running::unsent;
 use crate::command::{Context, asking};
-use crate::drive::profibus::{self, Course, Exchange, Lending, Rights, Shown, WATCHDOG, Wanted};
+use crate::drive::profibus::{self, Course, Exchange, Lending, Mode, Ramps, Rights, Shown, WATCHDOG, Wanted};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Motion, Permit, Question, Relief};
 use crate::outcome::{Data, Event, Outcome, Plan};
@@ -32,6 +34,7 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
         Action::Run(wanted) => demands(job.motion, wanted)?,
         Action::Stop(_) | Action::Reset => super::refuse(&[("--take-control", job.motion.take_control)])?,
     }
+    whom.knows(job.choice)?;
     if context.settings.dry_run {
         return Ok(Outcome::of(Data::Plan(dry_run(job, &whom))));
     }
@@ -43,7 +46,7 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
             act.permit()
         }
         Action::Reset | Action::Run(_) => {
-            asking::off_line(interrupt, *ask, &question(whom.address, &job.why())).await?
+            asking::off_line(interrupt, *ask, &question(whom.address, &job.why(), job.choice.spoken)).await?
         }
     };
     let line = open(job.slave.slot_time, (settings, registry), interrupt, *observe).await;
@@ -51,7 +54,13 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
     if let Action::Run(_) = job.action {
         line.pace();
     }
-    let mut exchange = Exchange::new(&mut line, whom.address, job.slave.user(), watchdog, &permit);
+    let taking = whom
+        .taking(&mut line, job.choice, (watchdog, job.is_stop()))
+        .await
+        .and_then(|taking| knows(job, taking.mode).map(|()| taking));
+    let taking = taking.map_err(|failure| if job.is_stop() { unsent(failure) } else { failure })?;
+    let stop = job.stop(taking.mode);
+    let mut exchange = Exchange::new(&mut line, whom.address, taking, &permit);
     let (mut told, mut family) = (Told::default(), whom.presumed.clone());
     let done = async {
         if let Action::Stop(act) = job.action {
@@ -67,11 +76,11 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
         }
     };
     let done = done.await;
-    if job.stop() == "coast" {
+    if stop == "coast" {
         exchange.coasts();
     }
     let ending = exchange.leave().await;
-    Ok(report(job, (whom.address, &family), told, done, ending))
+    Ok(report((job, stop), (whom.address, &family), told, done, ending))
 }
 
 /// Looks at what decides on a run, asks with all of that, and runs.
@@ -84,8 +93,14 @@ async fn run_it(
     told: &mut Told,
 ) -> Result<(), Failure> {
     let rights = exchange.rights().await?;
-    let lending = rights.lending(job.motion.take_control, job.motion.watchdog.is_some());
-    let question = asks(job, whom, wanted, (&rights, lending), told);
+    let mode = exchange.mode();
+    // There is nothing to lend in Basic mode: every word of it takes control, and it has no parameters.
+    let lending = if mode.is_basic() {
+        Lending::default()
+    } else {
+        rights.lending(job.motion.take_control, job.motion.watchdog.is_some())
+    };
+    let question = asks((job, mode), whom, wanted, (&rights, lending), told);
     let agreed = exchange.during(gate::ask(ask, &question)).await;
     let agreed = agreed.map_err(|failure| match failure.class {
         Class::Interrupted => asking::interrupted(),
@@ -93,7 +108,7 @@ async fn run_it(
     });
     let _agreed: Permit<Motion> = agreed?.map_err(asking::denied)?;
     let wait = job.motion.wait.unwrap_or(WAIT);
-    let mut shown = Shown::begin(exchange, family, job.word, (wanted, job.stop()));
+    let mut shown = Shown::begin(exchange, family, job.word, (wanted, job.stop(mode)));
     exchange.run(wanted, (&rights, lending), (wait, job.motion.duration), (&mut told.run, &mut shown)).await
 }
 
@@ -138,15 +153,45 @@ fn watchdog(motion: &MotionArgs) -> Result<Span, Failure> {
 
 /// The question before a motor runs, with everything that is changed for it.
 fn asks(
-    job: &Job<'_>,
+    (job, mode): (&Job<'_>, Mode),
     whom: &Whom<'_>,
     wanted: Wanted,
     (rights, lending): (&Rights, Lending),
     told: &Told,
 ) -> Question {
     let (address, setpoint) = (whom.address, spoken(wanted));
-    let raw = |value: Option<u32>| value.map_or_else(|| "?".to_owned(), |value| value.to_string());
     let mut details: Vec<Text> = told.parting.clone().into_iter().collect();
+    details.extend(match mode {
+        Mode::Profidrive => by_profidrive(wanted, rights, lending),
+        Mode::Basic(ramps) => by_basic(ramps),
+    });
+    let stop = match job.motion.on_exit {
+        _ if mode.is_basic() => both!("no run bit (0050): the ramp", "kein Startbit (0050): die Rampe"),
+        StopArg::Coast => {
+            both!("OFF3: it coasts (by the norm: a quick stop)", "OFF3: er läuft aus (nach Norm: Schnellhalt)")
+        }
+        _ => both!("OFF1: the ramp F003", "OFF1: die Rampe F003"),
+    };
+    details.push(both!(
+        "it is stopped when this program ends ({stop})",
+        "er wird angehalten, wenn dieses Programm endet ({stop})",
+        stop
+    ));
+    let title = both!(
+        "station {address} on PROFIBUS: the motor runs, setpoint {setpoint}",
+        "Station {address} am PROFIBUS: der Motor läuft, Sollwert {setpoint}"
+    );
+    let mut hazards = vec![Hazard::Motion];
+    if lending != Lending::default() {
+        hazards.insert(0, Hazard::Write);
+    }
+    Question { hazards, title, details }
+}
+
+/// What is changed for a run in ProfiDrive mode, and what is not known of it.
+fn by_profidrive(wanted: Wanted, rights: &Rights, lending: Lending) -> Vec<Text> {
+    let raw = |value: Option<u32>| value.map_or_else(|| "?".to_owned(), |value| value.to_string());
+    let mut details = Vec::new();
     if lending.control {
         details.push(both!(
             "P.928 {old} -> 1 for the run (control from the bus), given back afterwards",
@@ -174,42 +219,67 @@ fn asks(
             "der Sollwert ist ein Teil von A004 (nach dem Rohwert {maxima} Hz): gemessen wird zuerst bei kleinem Sollwert"
         ));
     }
-    let stop = match job.motion.on_exit {
-        StopArg::Coast => {
-            both!("OFF3: it coasts (by the norm: a quick stop)", "OFF3: er läuft aus (nach Norm: Schnellhalt)")
+    details
+}
+
+/// What a run in Basic mode sets, and what it does not know.
+fn by_basic(ramps: Ramps) -> Vec<Text> {
+    let [up, down] = [ramps.up, ramps.down].map(|tenths| format_decimal(tenths.into(), 1));
+    vec![
+        both!(
+            "ramps: {up} s up, {down} s down (--set F002=…, F003=…), in the place of those that stand in the inverter",
+            "Rampen: {up} s hoch, {down} s herunter (--set F002=…, F003=…), statt der im Umrichter eingestellten"
+        ),
+        both!(
+            "if this program dies, the watchdog of the slave stops the motor (Conn Sta = 0), unless P.620 = 1 keeps it running",
+            "stirbt dieses Programm, hält die Überwachung des Slaves den Motor an (Conn Sta = 0), wenn ihn nicht P.620 = 1 weiterlaufen \
+             lässt"
+        ),
+    ]
+}
+
+/// Refuses what a mode has no word for.
+fn knows(job: &Job<'_>, mode: Mode) -> Result<(), Failure> {
+    if mode.is_basic() && matches!(job.action, Action::Run(_)) {
+        super::refuse(&[("--on-exit coast (--mode basic)", job.motion.on_exit == StopArg::Coast)])?;
+        if let Action::Run(Wanted::Percent(_)) = job.action {
+            return Err(usage(both!(
+                "expected a setpoint in Hz: Basic mode does not tell the maximum frequency (A004), which is 100 %",
+                "erwartet: ein Sollwert in Hz; der Basic-Modus nennt die Maximalfrequenz (A004), also 100 %, nicht"
+            )));
         }
-        _ => both!("OFF1: the ramp F003", "OFF1: die Rampe F003"),
-    };
-    details.push(both!(
-        "it is stopped when this program ends ({stop})",
-        "er wird angehalten, wenn dieses Programm endet ({stop})",
-        stop
-    ));
-    let title = both!(
-        "station {address} on PROFIBUS: the motor runs, setpoint {setpoint}",
-        "Station {address} am PROFIBUS: der Motor läuft, Sollwert {setpoint}"
-    );
-    let mut hazards = vec![Hazard::Motion];
-    if lending != Lending::default() {
-        hazards.insert(0, Hazard::Write);
     }
-    Question { hazards, title, details }
+    Ok(())
 }
 
 fn dry_run(job: &Job<'_>, whom: &Whom<'_>) -> Plan {
-    let address = whom.address;
-    let coasts = job.stop() == "coast";
-    let words = profibus::words(match job.action {
-        Action::Run(wanted) => Course::Run(wanted, coasts),
-        Action::Stop(_) => Course::Stop(coasts),
-        Action::Reset => Course::Reset,
-    });
-    let telegrams = words.iter().map(|(stw, hsw)| profibus::cyclic(address, (*stw, *hsw), &whom.presumed)).collect();
+    let (address, mode) = (whom.address, planned(job.choice));
+    let coasts = job.stop(mode) == "coast";
+    let words = profibus::words(
+        match job.action {
+            Action::Run(wanted) => Course::Run(wanted, coasts),
+            Action::Stop(_) => Course::Stop(coasts),
+            Action::Reset => Course::Reset,
+        },
+        mode,
+    );
+    let telegrams = words.iter().map(|words| profibus::cyclic(address, *words, mode, &whom.presumed)).collect();
+    let configured = if mode.is_basic() { "Basic" } else { "PPO1" };
     let mut notes = vec![both!(
-        "station {address} is taken (Set_Prm with a watchdog, PPO1); these words follow one another; then zero outputs, Clear, Unlock",
-        "Station {address} wird übernommen (Set_Prm mit Überwachung, PPO1); diese Wörter folgen aufeinander; dann Ausgänge auf null, \
-         Clear, Unlock"
+        "station {address} is taken (Set_Prm with a watchdog, {configured}); these words follow one another; then zero outputs, Clear, \
+         Unlock",
+        "Station {address} wird übernommen (Set_Prm mit Überwachung, {configured}); diese Wörter folgen aufeinander; dann Ausgänge auf \
+         null, Clear, Unlock"
     )];
+    if job.choice.spoken.is_none() {
+        notes.push(both!(
+            "where Get_Cfg tells the Basic block, and --drive the series, its words go out instead: --mode basic shows them",
+            "wo Get_Cfg den Basic-Block nennt und --drive die Serie, gehen dessen Wörter hinaus: --mode basic zeigt sie"
+        ));
+    }
+    if mode.is_basic() {
+        return Plan { dry_run: true, telegrams, notes };
+    }
     if job.motion.take_control {
         notes.push(both!(
             "P.928 is set to 1 first, where it is not, and given back behind the stop word",

@@ -1,10 +1,12 @@
 //! The state of one inverter, as its status word tells it.
 
 use super::given::SlaveArgs;
+use super::mode::planned;
 use super::open;
+use super::spoken::Choice;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
-use crate::drive::profibus::{self, Course, Haul};
+use crate::drive::profibus::{self, Course, Exchange, Haul, WATCHDOG};
 use crate::failure::Failure;
 use crate::outcome::{Data, Outcome, Plan, StateReport, Statemachine, Warning};
 use crate::text::{Text, both};
@@ -12,33 +14,39 @@ use crate::text::{Text, both};
 /// Who may control (5.1), and the status word (5.1).
 const RIGHT: u32 = 928;
 const STATUS: u32 = 968;
-/// Fault (4.1.2.2); which, no word tells.
-const FAULT: u16 = 1 << 3;
 /// Control from the bus is allowed.
 const ALLOWED: i64 = 1;
 
 /// Shows it.
-pub(in crate::command) async fn show(slave: &SlaveArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+pub(in crate::command) async fn show(
+    slave: &SlaveArgs,
+    choice: Choice,
+    context: &mut Context<'_>,
+) -> Result<Outcome, Failure> {
     let whom = whom(slave, context)?;
     let address = whom.address;
+    whom.knows(choice)?;
     if context.settings.dry_run {
-        let telegrams = profibus::words(Course::Stop(false));
-        let telegrams = telegrams.into_iter().map(|words| profibus::cyclic(address, words, &whom.presumed)).collect();
+        let mode = planned(choice);
+        let words = profibus::words(Course::Stop(false), mode).into_iter();
+        let telegrams = words.map(|words| profibus::cyclic(address, words, mode, &whom.presumed)).collect();
         let notes = vec![both!(
-            "station {address} is taken (Set_Prm, PPO1), held by the stop word, asked, and let go",
-            "Station {address} wird übernommen (Set_Prm, PPO1), mit dem Stoppwort gehalten, gefragt und freigegeben"
+            "station {address} is taken (Set_Prm, Chk_Cfg), held by the stop word, asked, and let go",
+            "Station {address} wird übernommen (Set_Prm, Chk_Cfg), mit dem Stoppwort gehalten, gefragt und freigegeben"
         )];
         return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })));
     }
     let why = both!("to see its state; nothing is written", "um ihren Zustand zu sehen; geschrieben wird nichts");
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
-    let permit = asking::off_line(interrupt, *ask, &question(address, &why)).await?;
+    let permit = asking::off_line(interrupt, *ask, &question(address, &why, choice.spoken)).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
-    let mut exchange = whom.exchange(&mut line, &permit);
+    let taking = whom.taking(&mut line, choice, (WATCHDOG, false)).await?;
+    let is_basic = taking.mode.is_basic();
+    let mut exchange = Exchange::new(&mut line, address, taking, &permit);
     let (mut haul, mut family) = (Haul::default(), whom.presumed.clone());
     let done = async {
         family = exchange.family(whom.named.clone(), registry).await?;
-        for id in [STATUS, RIGHT] {
+        for id in [STATUS, RIGHT].into_iter().filter(|_| !is_basic) {
             exchange.value(&family, &(family.param_or_unknown(id), None), &mut haul).await?;
         }
         exchange.parting(&family).await
@@ -52,13 +60,13 @@ pub(in crate::command) async fn show(slave: &SlaveArgs, context: &mut Context<'_
     let report = StateReport {
         address,
         drive: family.drive.clone(),
-        state: seen.map(|seen| profibus::state(seen.zsw)),
+        state: seen.map(profibus::state),
         status: status.and_then(|status| status.word),
         control: None,
         control_mode: right,
         control_mode_stored: None,
-        fault_code: seen.filter(|seen| seen.zsw & FAULT == 0).map(|_| 0),
-        fault: None,
+        fault_code: seen.filter(|seen| !seen.is_faulted()).map(|_| 0),
+        fault: seen.and_then(profibus::fault),
         missing: missing.into_iter().collect(),
         states: Vec::new(),
         error: None,

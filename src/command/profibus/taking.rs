@@ -2,8 +2,9 @@
 
 use super::addresses;
 use super::given::SlaveArgs;
+use super::spoken::Spoken;
 use crate::command::{Context, named_family};
-use crate::drive::profibus::{Exchange, Line, WATCHDOG};
+use crate::drive::profibus::{Exchange, Line, Mode, Taking, WATCHDOG};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Motion, Permit, Question};
 use crate::profile::Family;
@@ -33,9 +34,10 @@ pub(super) fn whom<'s>(slave: &'s SlaveArgs, context: &Context<'_>) -> Result<Wh
 }
 
 impl Whom<'_> {
-    /// Begins to exchange data with it.
+    /// Begins to exchange data with it for its parameters, which ProfiDrive mode alone has.
     pub(super) fn exchange<'l, 'a>(&self, line: &'l mut Line<'a>, permit: &Permit<Motion>) -> Exchange<'l, 'a> {
-        Exchange::new(line, self.address, self.slave.user(), WATCHDOG, permit)
+        let taking = Taking { mode: Mode::Profidrive, user: self.slave.user(), watchdog: WATCHDOG };
+        Exchange::new(line, self.address, taking, permit)
     }
 }
 
@@ -55,29 +57,61 @@ fn one_address() -> Failure {
         .hint(both!("`antrieb profibus live` finds it", "`antrieb profibus live` findet sie"))
 }
 
-/// To ask a slave for anything is to take it: whoever exchanges data with it commands it.
-pub(super) fn question(address: u8, why: &Text) -> Question {
-    let details: Vec<Text> = vec![
-        both!(
-            "an SJ2-PB tells its parameters only to a master that exchanges data with it, and such a master commands the motor",
-            "ein SJ2-PB nennt seine Parameter nur einem Master, der mit ihm Daten austauscht, und ein solcher Master befiehlt dem \
-             Motor"
-        ),
+/// To ask a slave for anything is to take it: whoever exchanges data with it commands it. `spoken` is the mode, if it is known.
+pub(super) fn question(address: u8, why: &Text, spoken: Option<Spoken>) -> Question {
+    let profidrive = || {
         both!(
             "meanwhile it gets the stop word 047E: where P.928 is 1, a motor that is running stops by its ramp",
             "solange bekommt es das Stoppwort 047E: wo P.928 gleich 1 ist, hält ein laufender Motor an der Rampe an"
-        ),
+        )
+    };
+    let basic = || {
         both!(
-            "afterwards it is let go: P.703 says what happens then, and where A002 lets the terminals start, a closed contact starts \
-             the motor",
-            "danach wird es freigegeben: was dann geschieht, sagt P.703, und wo A002 die Klemmen starten lässt, startet ein \
-             geschlossener Kontakt den Motor"
-        ),
+            "in Basic mode it gets 0050: start and setpoint come from the bus, and a motor that is running stops, by a ramp of 10 s to \
+             the maximum frequency unless --set F003 names another",
+            "im Basic-Modus bekommt es 0050: Start und Sollwert kommen vom Bus, und ein laufender Motor hält an, an einer Rampe von 10 s \
+             bis zur Maximalfrequenz, wenn --set F003 keine andere nennt"
+        )
+    };
+    let is_known = spoken == Some(Spoken::Profidrive);
+    let details = [
+        Some(master(is_known)),
+        (spoken != Some(Spoken::Basic)).then(profidrive),
+        (!is_known).then(basic),
+        Some(parting(is_known)),
     ];
+    let details = details.into_iter().flatten().collect();
     let title = both!(
         "station {address} on PROFIBUS is taken over, {why}",
         "Station {address} am PROFIBUS wird übernommen, {why}",
         why
     );
     Question { hazards: vec![Hazard::Motion], title, details }
+}
+
+/// Why a slave has to be taken; `is_profidrive` where nothing else is possible.
+fn master(is_profidrive: bool) -> Text {
+    if is_profidrive {
+        return both!(
+            "an SJ2-PB tells its parameters only to a master that exchanges data with it, and such a master commands the motor",
+            "ein SJ2-PB nennt seine Parameter nur einem Master, der mit ihm Daten austauscht, und ein solcher Master befiehlt dem \
+             Motor"
+        );
+    }
+    both!(
+        "an SJ2-PB tells of its motor only to a master that exchanges data with it, and such a master commands the motor",
+        "ein SJ2-PB berichtet von seinem Motor nur einem Master, der mit ihm Daten austauscht, und ein solcher Master befiehlt dem \
+         Motor"
+    )
+}
+
+fn parting(is_profidrive: bool) -> Text {
+    let lost = if is_profidrive { Text::name("P.703") } else { both!("P.703 (Basic: P.620)", "P.703 (Basic: P.620)") };
+    both!(
+        "afterwards it is let go: {lost} says what happens then, and where A002 lets the terminals start, a closed contact starts \
+         the motor",
+        "danach wird es freigegeben: was dann geschieht, sagt {lost}, und wo A002 die Klemmen starten lässt, startet ein \
+         geschlossener Kontakt den Motor",
+        lost
+    )
 }

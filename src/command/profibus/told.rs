@@ -17,11 +17,12 @@ pub(super) struct Told {
     pub(super) run: Run,
 }
 
-/// The setpoint word (5.2).
+/// The setpoint word (5.2), and the setpoint in Hz (5.3), which is what the Basic block sends.
 const HSW: u32 = 700;
+const SETPOINT: u32 = 611;
 
 pub(super) fn report(
-    job: &Job<'_>,
+    (job, choice): (&Job<'_>, &'static str),
     (address, family): (u8, &Family),
     told: Told,
     done: Result<(), Failure>,
@@ -34,7 +35,6 @@ pub(super) fn report(
         Err(failure) if failure.class == Class::Interrupted => "interrupted",
         Err(_) => "error",
     };
-    let choice = job.stop();
     let is_unproven = is_dark && has_turned && choice == "ramp" && standing != Some(true);
     let mut failure = match (left, done.err()) {
         (Some(left), Some(why)) if left.code != why.code => Some(beside(left, &why)),
@@ -52,7 +52,7 @@ pub(super) fn report(
         because,
         acknowledged: is_dark,
         standing,
-        state: seen.map(|seen| state(seen.zsw)),
+        state: seen.map(state),
         note: (is_dark && has_turned && standing.is_none()).then(off),
     };
     let data = Motion {
@@ -60,10 +60,10 @@ pub(super) fn report(
         drive: family.drive.clone(),
         action: job.word.to_owned(),
         mode: is_run.then(|| "frequency".to_owned()),
-        from: told.from.map(|seen| state(seen.zsw)),
-        to: seen.map(|seen| state(seen.zsw)),
+        from: told.from.map(state),
+        to: seen.map(state),
         steps: told.run.steps.clone(),
-        setpoint: setpoint(job, &told.run),
+        setpoint: setpoint(job, &told.run, seen),
         changed,
         watchdog_s: None,
         stop: Some(stop),
@@ -89,7 +89,7 @@ fn beside(left: Failure, why: &Failure) -> Failure {
     left
 }
 
-fn setpoint(job: &Job<'_>, run: &Run) -> Option<Setpoint> {
+fn setpoint(job: &Job<'_>, run: &Run, seen: Option<Seen>) -> Option<Setpoint> {
     let Action::Run(wanted) = job.action else { return None };
     run.reached?;
     let (raw, unit, full) = match wanted {
@@ -99,7 +99,7 @@ fn setpoint(job: &Job<'_>, run: &Run) -> Option<Setpoint> {
     // 4000h is 100 % of A004.
     let actual = run.actual.zip(full).map(|(hiw, full)| i64::from(hiw) * full / 0x4000);
     Some(Setpoint {
-        param: HSW,
+        param: if seen.is_some_and(|seen| seen.state.is_some()) { SETPOINT } else { HSW },
         value: Decimal { raw, decimals: 2 },
         denominator: None,
         effective: None,

@@ -2,6 +2,7 @@
 
 use super::given::{SlaveArgs, element};
 use super::open;
+use super::spoken::Spoken;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::job::{self, Job, Step};
@@ -43,7 +44,7 @@ pub(in crate::command) async fn write(
     }
     let why = both!("to write its parameters", "um ihre Parameter zu schreiben");
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
-    let permit = asking::off_line(interrupt, *ask, &question(whom.address, &why)).await?;
+    let permit = asking::off_line(interrupt, *ask, &question(whom.address, &why, Some(Spoken::Profidrive))).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
     let mut exchange = whom.exchange(&mut line, &permit);
     let mut job = None;

@@ -3,24 +3,26 @@
 use super::Args;
 use crate::command::profibus::job::{Action, Job, is_zero, wanted};
 use crate::command::profibus::run::run as run_one;
+use crate::command::profibus::spoken::{Choice, ramps};
 use crate::command::{Context, profibus};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Outcome;
-use crate::text::both;
+use crate::text::{Wrong, both};
 
 pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let keypad = &args.keypad;
     profibus::refuse(&[
         ("--ramp", args.ramp.is_some()),
         ("--profile", args.profile.is_some()),
-        ("--mode", args.mode.is_some()),
-        ("--set", !args.options.is_empty()),
         ("--start", args.start.is_some()),
         ("--source", args.source.is_some()),
         ("--until", args.until.is_some()),
         ("--step", keypad.step.is_some()),
     ])?;
+    let spoken = args.mode.as_deref().map(str::parse).transpose();
+    let spoken = spoken.map_err(|Wrong(why)| Failure::new(Class::Usage, "usage.mode", why))?;
+    let choice = Choice { spoken, ramps: ramps(&args.options)? };
     let Some(value) = &args.value else {
         let message = both!("expected a setpoint such as 20Hz, got none", "Sollwert fehlt, zum Beispiel 20Hz");
         return Err(Failure::new(Class::Usage, "usage.setpoint", message).hint(both!(
@@ -49,6 +51,6 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
     if matches!(action, Action::Stop(_)) {
         motion = motion.of_a_stop();
     }
-    let job = Job { action, word: "sollwert", motion: &motion, slave: &args.slave };
+    let job = Job { action, word: "sollwert", motion: &motion, slave: &args.slave, choice };
     run_one(&job, context).await
 }

@@ -11,7 +11,7 @@ use crate::text::both;
 
 pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let (action, word, motion) = match &args.action {
-        None | Some(Action::Show) => return profibus::show(&args.slave, context).await,
+        None | Some(Action::Show) => return profibus::show(&args.slave, args.mode.choice(), context).await,
         Some(Action::Disable(motion)) => (job::Action::Stop(Relief::Disable), "disable", motion),
         Some(Action::DisableVoltage(motion)) => (job::Action::Stop(Relief::DisableVoltage), "disable-voltage", motion),
         Some(Action::QuickStop(motion)) => {
@@ -28,7 +28,7 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
         ) => return Err(not_held()),
     };
     let motion = motion.of_a_stop();
-    run::run(&Job { action, word, motion: &motion, slave: &args.slave }, context).await
+    run::run(&Job { action, word, motion: &motion, slave: &args.slave, choice: args.mode.choice() }, context).await
 }
 
 /// The state of a slave is that of the word which this program sends it in every cycle.

@@ -8,6 +8,7 @@ mod wrong;
 use super::{InputError, field, hex_bytes, no_telegram};
 use crate::outcome::{Field, Parts, TelegramDoc};
 use crate::profile::Family;
+use crate::protocol::dp::basic::trip_cause;
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::control::{Count, Station, Status};
 use crate::protocol::dp::{Control, EVERYBODY, Frame, NAME, Service, Telegram, frame};
@@ -30,6 +31,12 @@ pub(in crate::drive) fn configuration(data: &[u8]) -> Parts {
 /// Number of a refusal over PKW, and why.
 pub(in crate::drive) fn refused(pwe: u32) -> (Text, Text) {
     cyclic::refused(pwe)
+}
+
+/// The cause of a trip in a status word of the Basic block (SJ2-PB manual 3.2.3).
+pub(in crate::drive) fn trip(status: u16) -> (u8, Text) {
+    let cause = trip_cause(status);
+    (cause, words::trip_cause(cause))
 }
 
 /// What a station is, as it answers FDL status.

@@ -1,9 +1,12 @@
 //! The only end of an exchange: the stop word with control kept until the frequency is 0, then what was lent is given back, then zero
 //! outputs, Clear, Unlock. Zero outputs alone are no stop.
+//!
+//! In Basic mode outputs of zero give start and setpoint to the terminals (3.2.2). So a motor that turned before we had it gets none, and
+//! one that zero outputs start is stopped again: such a slave is let go under the stop word, and that is a failure.
 
 use super::exchange::{Exchange, LOST, Lent, RIGHT};
+use super::mode::{Seen, Words};
 use super::trouble;
-use super::words::{Seen, Words};
 use crate::exchange::dp::{Cycle, Place, Request};
 use crate::failure::Failure;
 use crate::outcome::Change;
@@ -45,13 +48,15 @@ impl Exchange<'_, '_> {
     pub async fn leave(mut self) -> Ending {
         self.insists = true;
         self.line.note_interrupts();
-        self.words = if self.still.coasts { Words::COAST } else { Words::STOP };
+        self.words = self.mode().coast().filter(|_| self.still.coasts).unwrap_or(self.mode().stop());
         self.pkw = Pkw::default();
         if !self.station.is_owned() {
             return Ending::default();
         }
         let stopped = match self.stop().await {
-            Err(why) if self.ours && why.code != trouble::NOT_STILL => Err(trouble::unreached(why, self.behind)),
+            Err(why) if self.ours && why.code != trouble::NOT_STILL => {
+                Err(trouble::unreached(why, self.mode(), self.behind))
+            }
             done => done,
         };
         let returned = if stopped.is_ok() { self.give_back().await } else { Ok(()) };
@@ -70,13 +75,30 @@ impl Exchange<'_, '_> {
     }
 
     async fn release(&mut self, is_still: bool) -> Result<(), Failure> {
-        if is_still {
-            self.words = Words { stw: 0, hsw: 0 };
-            self.cycle().await?;
-        }
-        self.station.release(is_still);
+        let handed = if is_still { self.hand_over().await? } else { Ok(()) };
+        self.station.release(is_still && handed.is_ok());
         while self.cycle().await? != Cycle::Released {}
-        Ok(())
+        handed
+    }
+
+    /// Outputs of zero. The inner failure: the terminals would have the motor turn, and the stop word stands instead.
+    async fn hand_over(&mut self) -> Result<Result<(), Failure>, Failure> {
+        let is_basic = self.mode().is_basic();
+        if is_basic && self.seen.is_none() {
+            return Ok(Ok(()));
+        }
+        if is_basic && self.driven {
+            return Ok(Err(trouble::kept_from_terminals(self.address())));
+        }
+        self.words = Words { stw: 0, hsw: 0 };
+        if !is_basic {
+            self.cycle().await?;
+        } else if self.starts_by_itself().await? {
+            self.words = self.mode().stop();
+            self.stop().await?;
+            return Ok(Err(trouble::started_by_terminals(self.address())));
+        }
+        Ok(Ok(()))
     }
 
     /// Proves under the stop word that the output is off, by HIW and by P.614, where that is told.
@@ -85,7 +107,7 @@ impl Exchange<'_, '_> {
         if self.seen.is_none() {
             return Ok(());
         }
-        let mut moved: (Option<i16>, Tick) = (None, self.line.now());
+        let mut moved: (Option<i32>, Tick) = (None, self.line.now());
         loop {
             let Cycle::Inputs(_) = self.cycle().await? else { continue };
             let now = self.line.now();
@@ -96,10 +118,11 @@ impl Exchange<'_, '_> {
             if moved.0 != frequency {
                 moved = (frequency, now);
             } else if now.since(moved.1) > STUCK {
-                if !self.ours || self.still.coasts {
-                    return Err(trouble::unproven(self.address(), frequency.unwrap_or_default()));
+                if !self.ours || self.still.coasts || self.mode().is_basic() {
+                    return Err(trouble::unproven(self.address(), self.seen));
                 }
-                (self.words, self.still.coasts, moved.1) = (Words::COAST, true, now);
+                self.take_power();
+                moved.1 = now;
             }
         }
     }
@@ -154,7 +177,7 @@ impl Exchange<'_, '_> {
         let begun = self.line.now();
         while self.line.now().since(begun) < WATCHED {
             if let Cycle::Inputs(_) = self.cycle().await?
-                && self.seen.is_some_and(|seen| seen.hiw != 0)
+                && self.seen.is_some_and(Seen::is_driven)
             {
                 return Ok(true);
             }

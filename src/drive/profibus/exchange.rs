@@ -1,18 +1,17 @@
 //! A slave that exchanges data with us: it is taken, asked over the PKW channel, and let go again (`ending`).
 //!
-//! Whoever exchanges data with an SJ2-PB sends it a control word. That is 047E in every cycle, as long as nothing else was agreed to:
-//! control kept, no start, OFF1. Zero outputs would be no stop (a word without bit 10 may hand the motor to the terminals, or freeze
-//! the last word). Where we die, the watchdog of the slave lets it go.
+//! Whoever exchanges data with an SJ2-PB sends it a control word. That is 047E in every cycle, or 0050 in Basic mode, as long as nothing
+//! else was agreed to: control kept, no start. Zero outputs would be no stop (a word without bit 10 may hand the motor to the terminals,
+//! or freeze the last word; in Basic mode they hand it to the terminals). Where we die, the watchdog of the slave lets it go.
 
 use super::line::Line;
+use super::mode::{Mode, Seen, Words};
 use super::still::Still;
 use super::trouble;
-use super::words::{Seen, Words};
 use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble};
 use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
-use crate::protocol::dp::cfg::Layout;
-use crate::protocol::dp::pkw::{self, Pkw};
+use crate::protocol::dp::pkw::Pkw;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
 use std::pin::pin;
@@ -40,10 +39,22 @@ const MOST_LEFT: u32 = 5;
 /// So much longer than its watchdog nothing may be heard of a slave that was heard: behind it, it is led to Data_Exchange anew.
 const BEYOND: Span = Span::from_secs(3);
 
+/// How a slave is taken.
+#[derive(Clone, Debug)]
+pub struct Taking {
+    /// How it is led.
+    pub mode: Mode,
+    /// User parameters of Set_Prm.
+    pub user: Vec<u8>,
+    /// It lets go of us behind this.
+    pub watchdog: Span,
+}
+
 /// A slave that exchanges data.
 pub struct Exchange<'l, 'a> {
     pub(super) line: &'l mut Line<'a>,
     address: u8,
+    mode: Mode,
     pub(super) station: Station,
     left: u32,
     pub(super) words: Words,
@@ -54,6 +65,10 @@ pub struct Exchange<'l, 'a> {
     heard: Tick,
     /// So long nothing may be heard of it.
     unheard: Span,
+    /// A start word went out.
+    pub(super) started: bool,
+    /// The motor turned, and no start word of ours had gone out.
+    pub(super) driven: bool,
     /// A start word went out, or the motor is to be stopped: whoever interrupts wants it to stop sooner.
     pub(super) ours: bool,
     /// The end is on its way: no interrupt and no short silence keeps it from going out.
@@ -72,24 +87,27 @@ impl std::fmt::Debug for Exchange<'_, '_> {
 }
 
 impl<'l, 'a> Exchange<'l, 'a> {
-    /// Takes the slave; PPO1, with these user parameters, and this watchdog. It must be left by [`Exchange::leave`], however the work
-    /// ends.
-    pub fn new(line: &'l mut Line<'a>, address: u8, user: Vec<u8>, watchdog: Span, _permit: &Permit<Motion>) -> Self {
-        let layout = Layout::Ppo(1);
+    /// Takes the slave. It must be left by [`Exchange::leave`], however the work ends.
+    pub fn new(line: &'l mut Line<'a>, address: u8, taking: Taking, _permit: &Permit<Motion>) -> Self {
+        let Taking { mode, user, watchdog } = taking;
+        let layout = mode.layout();
         let setup = Setup { watchdog: factors(watchdog), user, cfg: layout.bytes().to_vec() };
         let now = line.now();
         let station = Station::new(address, setup, vec![0; layout.length()], now);
         Exchange {
             line,
             address,
+            mode,
             station,
             left: 0,
-            words: Words::STOP,
+            words: mode.stop(),
             pkw: Pkw::default(),
             seen: None,
-            still: Still::default(),
+            still: Still::new(mode.slow()),
             heard: now,
             unheard: watchdog + BEYOND,
+            started: false,
+            driven: false,
             ours: false,
             insists: false,
             lent: Vec::new(),
@@ -101,6 +119,11 @@ impl<'l, 'a> Exchange<'l, 'a> {
     /// Address of the slave.
     pub fn address(&self) -> u8 {
         self.address
+    }
+
+    /// How it is led.
+    pub fn mode(&self) -> Mode {
+        self.mode
     }
 
     /// What came last; `None` before the first exchange.
@@ -121,7 +144,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
     async fn once(&mut self) -> Result<Cycle, Failure> {
         let waits = self.station.waits();
         self.line.rest(waits).await?;
-        put(self.station.outputs(), self.pkw, self.words);
+        let outputs = self.mode.outputs(self.pkw, self.words);
+        self.station.outputs().copy_from_slice(&outputs);
         let (station, asked) = self.station.question();
         let reply = self.line.ask(station, asked, None).await?;
         let now = self.line.now();
@@ -135,9 +159,9 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 }
             }
             Cycle::Inputs(data) => {
-                if let Some(&[a, b, c, d]) = data.get(pkw::LENGTH..pkw::LENGTH + 4) {
-                    let seen = Seen { zsw: u16::from_be_bytes([a, b]), hiw: i16::from_be_bytes([c, d]) };
+                if let Some((_, seen)) = self.mode.inputs(data) {
                     self.still.sees(now, seen);
+                    self.driven |= !self.started && seen.is_driven();
                     self.seen = Some(seen);
                 }
             }
@@ -153,7 +177,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             Class::Interrupted if self.insists => {
                 self.line.note_interrupts();
                 if self.ours && !self.still.is_dark(self.line.now()) {
-                    (self.words, self.still.coasts) = (Words::COAST, true);
+                    self.take_power();
                 }
                 true
             }
@@ -164,14 +188,21 @@ impl<'l, 'a> Exchange<'l, 'a> {
         }
     }
 
+    /// From now on OFF3 goes out, where there is one.
+    pub(super) fn take_power(&mut self) {
+        if let Some(words) = self.mode.coast() {
+            (self.words, self.still.coasts) = (words, true);
+        }
+    }
+
     /// Puts a request and waits for what comes of it.
     pub(super) async fn request(&mut self, mut request: Request) -> Result<Told, Failure> {
         loop {
             self.pkw = request.outputs();
             let told = match self.cycle().await? {
                 Cycle::Inputs(data) => {
-                    let said = data.first_chunk::<{ pkw::LENGTH }>();
-                    said.and_then(|said| request.inputs(self.line.now(), Pkw::decode(said)))
+                    let said = self.mode.inputs(&data);
+                    said.and_then(|(said, _)| request.inputs(self.line.now(), said))
                 }
                 // What was on its way may have come; it is not said twice.
                 Cycle::Left if request.writes() => Some(Told::Silence),
@@ -184,8 +215,11 @@ impl<'l, 'a> Exchange<'l, 'a> {
         }
     }
 
-    /// Reads a value: its bits, or why not.
+    /// Reads a value: its bits, or why not. Nothing is asked in Basic mode, which has no PKW block.
     pub async fn read(&mut self, place: Place) -> Result<Result<u32, Failure>, Failure> {
+        if self.mode.is_basic() {
+            return Ok(Err(trouble::no_pkw(self.address)));
+        }
         let told = self.request(Request::read(place, self.line.now())).await?;
         Ok(trouble::told(self.address, place, told))
     }
@@ -225,7 +259,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
     fn failure(&self, why: &Trouble) -> Failure {
         match why {
             Trouble::Unanswered(why) => trouble::unanswered(self.address, why),
-            other => trouble::not_exchanging(self.address, other),
+            other => trouble::not_exchanging(self.address, other, self.mode),
         }
     }
 }
@@ -236,12 +270,6 @@ fn factors(watchdog: Span) -> [u8; 2] {
     let second = steps.div_ceil(255);
     let first = steps.div_ceil(second.max(1));
     [first, second].map(|factor| u8::try_from(factor).unwrap_or(u8::MAX))
-}
-
-/// Puts a PKW block and words into the outputs of PPO1.
-fn put(outputs: &mut [u8], pkw: Pkw, words: Words) {
-    let bytes = pkw.encode().into_iter().chain(words.stw.to_be_bytes()).chain(words.hsw.to_be_bytes());
-    outputs.iter_mut().zip(bytes).for_each(|(own, byte)| *own = byte);
 }
 
 #[cfg(test)]

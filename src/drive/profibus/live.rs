@@ -6,7 +6,7 @@ use super::line::Line;
 use super::trouble;
 use crate::drive::decode::dp::{Reader, configuration, diagnosed, station};
 use crate::exchange::dp::{Asked, MASTER, Reply, Unanswered};
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::outcome::{ErrorDoc, Event, LiveList, LiveStation, TelegramDoc};
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::control::Station;
@@ -51,6 +51,33 @@ pub async fn live(line: &mut Line<'_>, addresses: &[u8]) -> (LiveList, Option<Fa
         list.asked += 1;
     }
     (list, None)
+}
+
+/// What a slave says that it is configured for, and whether that is the Basic block; `None` where it says nothing. Whoever `insists` is
+/// not kept from it by an interrupt.
+pub async fn configured(line: &mut Line<'_>, address: u8, insists: bool) -> Result<Option<(String, bool)>, Failure> {
+    loop {
+        let answer = line.ask(address, Asked::service(Service::GetCfg, Vec::new()), Some(REPEATS)).await;
+        return match answer {
+            Err(failure) if insists && failure.class == Class::Interrupted => {
+                line.note_interrupts();
+                continue;
+            }
+            Ok(Ok(Reply::Frame { data, .. })) if !data.is_empty() => {
+                Ok(Some((Hex(&data).to_string(), is_basic(&data))))
+            }
+            Ok(Err(why @ Unanswered::OtherMaster(_))) => Err(trouble::unanswered(address, &why)),
+            answer => answer.map(|_| None),
+        };
+    }
+}
+
+/// The Basic block alone, or with modules behind it that are no process data.
+fn is_basic(cfg: &[u8]) -> bool {
+    match Layout::of("", cfg) {
+        Some(layout) => layout == Layout::Basic,
+        None => cfg.starts_with(Layout::Basic.bytes()),
+    }
 }
 
 /// What stands at an address, if anything does.

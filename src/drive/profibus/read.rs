@@ -1,6 +1,7 @@
 //! Values of an inverter by PKW, and what is to be known before it is let go.
 
 use super::exchange::{Exchange, LOST};
+use super::trouble;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
 use crate::exchange::dp::Place;
@@ -22,16 +23,23 @@ pub struct Haul {
 /// Which series it is (SJ2-PB manual 5.3), with the words of `--drive`.
 const SERIES: Place = Place { pnu: 624, element: None };
 const NAMES: [(u32, &str); 3] = [(0x10, "sj200"), (0x20, "l200"), (0x40, "x200")];
+/// By whose names is spoken where nothing tells.
+const PRESUMED: &str = "l200";
 /// What decides on the motor once nobody exchanges data: P.703, P.620 (Basic mode; whether it counts here, no source tells), A002, A001
 /// (5.2, 5.3; 5.5 index 89, 88).
 const BEHIND: [u32; 4] = [703, 620, 89, 88];
 
 impl Exchange<'_, '_> {
-    /// The family of the inverter: the one that was named, or what P.624 tells.
+    /// The family of the inverter: the one that was named, or what P.624 tells. In Basic mode nothing tells it.
     pub async fn family(&mut self, named: Option<Rc<Family>>, registry: &Registry) -> Result<Rc<Family>, Failure> {
+        let is_basic = self.mode().is_basic();
+        if is_basic {
+            self.meets().await?;
+        }
         let told = self.read(SERIES).await?;
-        if let Some(named) = named {
-            return Ok(named);
+        let presumed = || registry.family(PRESUMED).filter(|_| is_basic);
+        if let Some(family) = named.or_else(presumed) {
+            return Ok(family);
         }
         let series = told?;
         let name = NAMES.iter().find(|row| row.0 == series & 0xFF).map(|row| row.1);
@@ -72,6 +80,9 @@ impl Exchange<'_, '_> {
 
     /// What decides on the motor once the slave is let go.
     pub async fn parting(&mut self, family: &Family) -> Result<Text, Failure> {
+        if self.mode().is_basic() {
+            return Ok(trouble::terminals_have_it());
+        }
         let mut told = Vec::new();
         for param in BEHIND.into_iter().filter_map(|id| family.params.get(&id)) {
             let (id, name) = (param.id, &param.name);

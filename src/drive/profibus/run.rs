@@ -1,10 +1,11 @@
-//! A run by the words of PROFIdrive (SJ2-PB manual 4.1.2): looked at, prepared, started, measured, held. It ends by `ending` alone.
+//! A run by the words of PROFIdrive (SJ2-PB manual 4.1.2) or of the Basic block (3.2): looked at, prepared, started, measured, held. It ends by `ending` alone.
 
 use super::exchange::{Exchange, LOST, RIGHT};
+use super::mode::{Seen, Words};
 use super::shown::Shown;
 use super::state;
 use super::trouble;
-use super::words::{FULL, SMALL, Seen, Wanted, Words, part, start};
+use super::words::{FULL, SMALL, Wanted, hundredths, part};
 use crate::exchange::dp::{Cycle, Place};
 use crate::failure::{Class, Failure};
 use crate::outcome::Step;
@@ -12,14 +13,6 @@ use crate::tick::{Span, Tick};
 
 /// How far a measured scale may be from what A004 tells, percent: P.611 has steps of 0.01 Hz.
 const TOLERANCE: i64 = 4;
-/// So far from its setpoint a frequency is reached, of 4000h.
-const CLOSE: u16 = 16;
-/// Bits of ZSW (4.1.2.2).
-const READY: u16 = 0x0031;
-const RUNS: u16 = 0x0007;
-const FAULT: u16 = 1 << 3;
-const REACHED: u16 = 1 << 8;
-const BY_BUS: u16 = 1 << 9;
 /// Cycles with the word that prepares, at least.
 const PREPARED: u32 = 3;
 
@@ -82,7 +75,7 @@ pub struct Run {
     /// Whether the setpoint was reached; `None` before it was sent.
     pub reached: Option<bool>,
     /// Frequency that was seen last before the end, of 4000h.
-    pub actual: Option<i16>,
+    pub actual: Option<i32>,
 }
 
 impl Exchange<'_, '_> {
@@ -123,7 +116,12 @@ impl Exchange<'_, '_> {
             Wanted::Hertz(value) => (value, true),
             Wanted::Percent(value) => (value, false),
         };
-        let most = if is_hertz { rights.maxima.iter().copied().max().unwrap_or_default() } else { 10_000 };
+        let most = match (self.mode().is_basic(), is_hertz) {
+            (true, true) => *HERTZ.end(),
+            (true, false) => return Err(trouble::no_maximum(self.address())),
+            (false, true) => rights.maxima.iter().copied().max().unwrap_or_default(),
+            (false, false) => 10_000,
+        };
         if value.abs() > most {
             return Err(trouble::beyond(self.address(), most, is_hertz));
         }
@@ -134,15 +132,29 @@ impl Exchange<'_, '_> {
             self.lend(RIGHT, 1).await?;
         }
         self.prepare(wait, run).await?;
-        let word = start(value);
-        let maximum = if is_hertz { self.measured(word, (value, &rights.maxima), wait, run).await? } else { 10_000 };
-        if value.abs() > maximum {
-            return Err(trouble::beyond(self.address(), maximum, is_hertz));
-        }
-        let hsw = part(value, maximum);
+        let word = self.mode().start(value);
+        let (hsw, maximum) = if self.mode().is_basic() {
+            // A word is 0.01 Hz there, and so 4000h is 163.84 Hz.
+            (hundredths(value), *run.maximum.insert(FULL))
+        } else {
+            let maximum =
+                if is_hertz { self.measured(word, (value, &rights.maxima), wait, run).await? } else { 10_000 };
+            if value.abs() > maximum {
+                return Err(trouble::beyond(self.address(), maximum, is_hertz));
+            }
+            (part(value, maximum), maximum)
+        };
         self.start(Words { stw: word, hsw }, wait, run).await?;
         self.turns(hsw, wait, run).await?;
         self.hold((hsw, maximum), duration, run, shown).await
+    }
+
+    /// Looks at the motor under the stop word.
+    pub(super) async fn meets(&mut self) -> Result<(), Failure> {
+        for _ in 0..PREPARED {
+            self.look().await?;
+        }
+        Ok(())
     }
 
     /// Stops the motor from now on, as soon as data are exchanged: OFF1, or OFF3. [`Exchange::leave`] proves it.
@@ -157,47 +169,44 @@ impl Exchange<'_, '_> {
     /// The end of what was started will be OFF3.
     pub fn coasts(&mut self) {
         if self.ours {
-            (self.words, self.still.coasts) = (Words::COAST, true);
+            self.take_power();
         }
     }
 
     /// Acknowledges a fault: no start bit first, then the edge of bit 7, with control kept.
     pub async fn reset(&mut self, wait: Span, run: &mut Run) -> Result<(), Failure> {
-        self.words = Words::PREPARE;
+        self.words = self.mode().prepare();
+        self.meets().await?;
         let mut seen = self.look().await?;
-        for _ in 0..PREPARED {
-            seen = self.look().await?;
-        }
-        if seen.zsw & FAULT == 0 {
+        if !seen.is_faulted() {
             return Err(trouble::no_fault(self.address()));
         }
         let begun = self.line.now();
-        self.words = Words::ACKNOWLEDGE;
-        while seen.zsw & FAULT != 0 {
+        self.words = self.mode().acknowledge();
+        while seen.is_faulted() {
             if self.line.now().since(begun) > wait {
                 return Err(trouble::still_faulted(self.address()));
             }
             seen = self.look().await?;
         }
         run.steps.push(step("acknowledge", self.words, seen, self.line.now().since(begun)));
-        self.words = Words::PREPARE;
+        self.words = self.mode().prepare();
         self.look().await.map(|_| ())
     }
 
-    /// 0406: ready, without a start, so that the start bit has an edge behind it.
+    /// 0406 or 0050: ready, without a start, so that the start bit has an edge behind it.
     async fn prepare(&mut self, wait: Span, run: &mut Run) -> Result<(), Failure> {
         let begun = self.line.now();
-        self.words = Words::PREPARE;
+        self.words = self.mode().prepare();
         let mut cycles = 0;
         loop {
             let seen = self.look().await?;
             cycles += 1;
-            if seen.zsw & FAULT != 0 {
+            if seen.is_faulted() {
                 return Err(trouble::faulted(self.address()));
             }
-            let is_ready = seen.zsw & READY == READY && seen.zsw & BY_BUS != 0;
-            if cycles > PREPARED && is_ready && self.still.is_dark(self.line.now()) {
-                run.steps.push(step("OFF1", Words::PREPARE, seen, self.line.now().since(begun)));
+            if cycles > PREPARED && seen.is_ready() && self.still.is_dark(self.line.now()) {
+                run.steps.push(step(self.called("OFF1", "stop"), self.words, seen, self.line.now().since(begun)));
                 return Ok(());
             }
             if self.line.now().since(begun) > wait {
@@ -211,15 +220,15 @@ impl Exchange<'_, '_> {
         let begun = self.line.now();
         let starts = !self.ours;
         // From here on the motor may turn, whatever becomes of it.
-        self.ours = true;
+        (self.ours, self.started) = (true, true);
         self.words = words;
         run.setpoints += 1;
         run.reached = Some(false);
         loop {
             let seen = self.obeying().await?;
-            if seen.zsw & RUNS == RUNS {
+            if seen.has_started() {
                 if starts {
-                    run.steps.push(step("ON1", words, seen, self.line.now().since(begun)));
+                    run.steps.push(step(self.called("ON1", "run"), words, seen, self.line.now().since(begun)));
                 }
                 return Ok(());
             }
@@ -264,7 +273,8 @@ impl Exchange<'_, '_> {
     /// A run is proven by who controls, and by the frequency; the bits of the status word say what was commanded.
     async fn turns(&mut self, hsw: u16, wait: Span, run: &mut Run) -> Result<(), Failure> {
         if let Some(who) = self.told(WHO).await?.filter(|who| who & BOTH != BOTH) {
-            return Err(trouble::others(self.address(), who));
+            let seen = self.look().await?;
+            return Err(trouble::others(self.address(), who, seen));
         }
         let begun = self.line.now();
         loop {
@@ -291,11 +301,16 @@ impl Exchange<'_, '_> {
         while end.is_none_or(|end| self.line.now() < end) {
             let seen = self.obeying().await?;
             run.actual = Some(seen.hiw);
-            let is_near = seen.hiw.unsigned_abs().abs_diff(hsw) <= CLOSE;
-            run.reached = Some(is_near || seen.zsw & REACHED != 0);
+            let is_near = seen.hiw.unsigned_abs().abs_diff(hsw.into()) <= self.mode().close();
+            run.reached = Some(is_near || seen.is_reached());
             shown.sees(self, seen, maximum);
         }
         Ok(())
+    }
+
+    /// What a word is called in each mode.
+    fn called(&self, profidrive: &'static str, basic: &'static str) -> &'static str {
+        if self.mode().is_basic() { basic } else { profidrive }
     }
 
     /// What comes in one cycle. A slave that has left Data_Exchange is not started anew by what stands in its outputs.
@@ -303,7 +318,7 @@ impl Exchange<'_, '_> {
         loop {
             match self.cycle().await? {
                 Cycle::Left => {
-                    self.words = Words::STOP;
+                    self.words = self.mode().stop();
                     return Err(trouble::left(self.address()));
                 }
                 Cycle::Inputs(_) => {}
@@ -318,10 +333,10 @@ impl Exchange<'_, '_> {
     /// What comes in one cycle of a motor that was started.
     async fn obeying(&mut self) -> Result<Seen, Failure> {
         let seen = self.look().await?;
-        if seen.zsw & FAULT != 0 {
+        if seen.is_faulted() {
             return Err(trouble::tripped(self.address()));
         }
-        if seen.zsw & BY_BUS == 0 {
+        if !seen.is_by_bus() {
             return Err(trouble::lost_control(self.address(), seen));
         }
         Ok(seen)
@@ -333,7 +348,7 @@ fn step(command: &str, words: Words, seen: Seen, took: Span) -> Step {
         transition: "STW".to_owned(),
         command: Some(command.to_owned()),
         control: Some(format!("0x{:04X}", words.stw)),
-        state: state::of(seen.zsw),
+        state: state::of(seen),
         took_ms: took.as_millis(),
     }
 }

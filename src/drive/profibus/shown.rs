@@ -1,8 +1,9 @@
 //! What is shown of a run while it goes on: every cycle tells status word and frequency, so nothing is asked for it.
 
 use super::exchange::Exchange;
+use super::mode::Seen;
 use super::state;
-use super::words::{Seen, Wanted};
+use super::words::Wanted;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
 use crate::outcome::{
@@ -14,8 +15,9 @@ use std::rc::Rc;
 
 /// No two samples come sooner.
 const EVERY: Span = Span::from_millis(250);
-/// The actual value word (5.2).
+/// The actual value word (5.2), and the output frequency (5.3), which is what the Basic block tells.
 const HIW: u32 = 701;
+const FREQUENCY: u32 = 614;
 
 /// What is shown of a run.
 #[derive(Debug)]
@@ -36,7 +38,7 @@ impl Shown {
         command: &'static str,
         (wanted, stop): (Wanted, &'static str),
     ) -> Self {
-        let hiw = family.param_or_unknown(HIW);
+        let hiw = family.param_or_unknown(if exchange.mode().is_basic() { FREQUENCY } else { HIW });
         let (begun, address) = (exchange.line.now(), exchange.address());
         let t = Decimal { raw: 0, decimals: 6 };
         let (raw, unit) = match wanted {
@@ -117,7 +119,7 @@ impl Shown {
             address: exchange.address(),
             called: None,
             drive: self.family.drive.clone(),
-            state: Some(state::of(seen.zsw)),
+            state: Some(state::of(seen)),
             values: vec![SampleValue { t, value }],
             error: None,
             line: None,

@@ -1,7 +1,9 @@
-//! The state of an SJ2-PB by its status word. The words are those of PROFIdrive; which of its own numbers (P.702) is which, no source
-//! tells.
+//! The state of an SJ2-PB by its status word, or as its Basic block tells it. The words are those of PROFIdrive, and of the manual
+//! (3.2.3); which of its own numbers (P.702) is which, no source tells.
 
-use crate::outcome::State;
+use super::mode::Seen;
+use crate::drive::decode::dp::trip;
+use crate::outcome::{Fault, State};
 use crate::text::{Text, both};
 
 /// Bits that are looked at, what they are, stable name.
@@ -13,11 +15,38 @@ const ROWS: [(u16, u16, &str); 5] = [
     (0x0000, 0x0000, "switch-on-disabled"),
 ];
 
-/// The state that a status word tells (SJ2-PB manual 4.1.2.2).
-pub fn of(zsw: u16) -> State {
+/// The state that is told (SJ2-PB manual 4.1.2.2, 3.2.3).
+pub fn of(seen: Seen) -> State {
+    let Seen { zsw, state, .. } = seen;
+    if let Some(state) = state {
+        return basic(if seen.is_faulted() { TRIPPED } else { state });
+    }
     let slug = ROWS.iter().find(|(mask, bits, _)| zsw & mask == *bits).map_or("unknown", |row| row.2);
     State { slug: slug.to_owned(), name: name(slug) }
 }
+
+/// The trip that stands, with its cause, which the Basic block alone tells (3.2.3).
+pub fn fault(seen: Seen) -> Option<Fault> {
+    let (code, name) = seen.state.filter(|_| seen.is_faulted()).map(|_| trip(seen.zsw))?;
+    let key = format!("{code:02X}h");
+    Some(Fault { code: code.into(), key, group: None, name, cause: None, remedy: None, node: None })
+}
+
+/// Operating states of the Basic block (3.2.3).
+fn basic(state: u16) -> State {
+    let (slug, name) = match state {
+        0 => ("stop", both!("Stop", "Stop")),
+        1 => ("run", both!("Run", "Betrieb")),
+        2 => ("jog", both!("Jogging", "Tippbetrieb")),
+        3 => ("coasting", both!("Coasting", "Freier Auslauf")),
+        4 => ("dc-brake", both!("DC braking", "DC-Bremse")),
+        TRIPPED => ("fault", name("fault")),
+        other => ("unknown", both!("{other}, in no source", "{other}, in keiner Quelle")),
+    };
+    State { slug: slug.to_owned(), name }
+}
+
+const TRIPPED: u16 = 10;
 
 fn name(slug: &str) -> Text {
     match slug {

@@ -3,18 +3,14 @@
 //! HIW is the frequency that the inverter puts out, not that of the shaft. Where the output goes dark at once (a trip, coasting) it is 0
 //! while the shaft turns on. So a shaft is known to stand only where the frequency was seen on its way down to 0.
 
-use super::words::Seen;
+use super::mode::Seen;
 use crate::tick::{Span, Tick};
 
 /// So many cycles in a row with a frequency of 0, over this time, and the output is off.
 const ZEROS: u32 = 3;
 const QUIET: Span = Span::from_millis(100);
-/// 2 % of A004: what is left of a ramp where it ends.
-const SLOW: i32 = 0x4000 / 50;
 /// A frequency that stays for so long is on no ramp.
 const STEADY: Span = Span::from_millis(500);
-/// Fault (4.1.2.2).
-const FAULT: u16 = 1 << 3;
 
 /// What the frequency has told.
 #[derive(Clone, Copy, Debug, Default)]
@@ -26,23 +22,31 @@ pub(super) struct Still {
     zeros: u32,
     since: Tick,
     proven: bool,
-    faulted: bool,
+    /// It turned without power once.
+    free: bool,
+    /// What a frequency may be where a ramp ends.
+    slow: i32,
     /// It was told to coast.
     pub(super) coasts: bool,
 }
 
 impl Still {
+    /// Of a slave that tells frequencies of which this one is slow.
+    pub(super) fn new(slow: i32) -> Self {
+        Still { slow, ..Still::default() }
+    }
+
     /// Takes what came in one cycle.
     pub(super) fn sees(&mut self, now: Tick, seen: Seen) {
-        let frequency = i32::from(seen.hiw).abs();
-        self.faulted |= seen.zsw & FAULT != 0;
+        let frequency = seen.hiw.abs();
+        self.free |= seen.is_free();
         if frequency != 0 {
             self.turns(now, frequency);
             return;
         }
         if self.zeros == 0 {
             self.since = now;
-            self.proven = self.last.is_some_and(|(at, last)| last <= SLOW || self.comes_down(last, now.since(at)));
+            self.proven = self.last.is_some_and(|(at, last)| last <= self.slow || self.comes_down(last, now.since(at)));
         }
         self.zeros = self.zeros.saturating_add(1);
     }
@@ -63,7 +67,7 @@ impl Still {
             return false;
         };
         let micros = |span: Span| i64::try_from(span.as_micros()).unwrap_or(i64::MAX);
-        i64::from(fall).saturating_mul(micros(elapsed)) >= i64::from(last - SLOW).saturating_mul(micros(took))
+        i64::from(fall).saturating_mul(micros(elapsed)) >= i64::from(last - self.slow).saturating_mul(micros(took))
     }
 
     /// Whether the output is off.
@@ -75,7 +79,7 @@ impl Still {
     pub(super) fn standing(&self) -> Option<bool> {
         match self.zeros {
             0 => self.last.map(|_| false),
-            _ => (self.proven && !self.faulted && !self.coasts).then_some(true),
+            _ => (self.proven && !self.free && !self.coasts).then_some(true),
         }
     }
 
@@ -90,11 +94,11 @@ mod tests {
     use super::*;
 
     /// Frequencies every 25 ms, the last of them for a while; with a fault from this one on.
-    fn told(frequencies: &[i16], fault: usize) -> Still {
-        let mut still = Still::default();
+    fn told(frequencies: &[i32], fault: usize) -> Still {
+        let mut still = Still::new(crate::drive::profibus::mode::Mode::Profidrive.slow());
         for (place, hiw) in frequencies.iter().enumerate() {
-            let zsw = if place >= fault { FAULT } else { 0 };
-            still.sees(Tick::ZERO + Span::from_millis(25 * place as u64), Seen { zsw, hiw: *hiw });
+            let zsw = if place >= fault { 1 << 3 } else { 0 };
+            still.sees(Tick::ZERO + Span::from_millis(25 * place as u64), Seen { zsw, hiw: *hiw, state: None });
         }
         still
     }

@@ -1,7 +1,9 @@
 //! What goes wrong on a PROFIBUS line, said in both languages, with what to do next.
 
+use super::mode::{Mode, Seen};
 use crate::exchange::dp::{Place, Told, Trouble, Unanswered};
 use crate::failure::{Class, Failure};
+use crate::profile::value::format_decimal;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Hex;
 use crate::text::both;
@@ -137,20 +139,40 @@ pub(super) fn differs(address: u8, place: Place, bits: u32) -> Failure {
 pub(super) const NOT_STILL: &str = "forbidden.not_still";
 
 /// The motor was not seen standing.
-pub(super) fn unproven(address: u8, actual: i16) -> Failure {
-    let word = format!("{actual:04X}h");
+pub(super) fn unproven(address: u8, seen: Option<Seen>) -> Failure {
+    let told = match seen {
+        Some(Seen { hiw, state: Some(_), .. }) => format!("{} Hz", format_decimal(hiw.into(), 2)),
+        seen => format!("{:04X}h (HIW)", seen.map_or(0, |seen| seen.hiw & 0xFFFF)),
+    };
     let message = both!(
-        "station {address}: the stop word goes out, but the frequency stays at {word} (HIW): THE MOTOR MAY TURN",
-        "Station {address}: das Stoppwort geht hinaus, aber die Frequenz bleibt bei {word} (HIW): DER MOTOR KANN DREHEN"
+        "station {address}: the stop word goes out, but the frequency stays at {told}: THE MOTOR MAY TURN",
+        "Station {address}: das Stoppwort geht hinaus, aber die Frequenz bleibt bei {told}: DER MOTOR KANN DREHEN"
     );
-    Failure::new(Class::Forbidden, NOT_STILL, message).with("address", address).hint(both!(
-        "it may be run by its terminals or its keypad (P.928 is not 1 then); stop it there",
-        "vielleicht fährt er über Klemmen oder Bedienfeld (P.928 ist dann nicht 1); dort anhalten"
-    ))
+    let hint = match seen.and_then(|seen| seen.state) {
+        None => both!(
+            "it may be run by its terminals or its keypad (P.928 is not 1 then); stop it there",
+            "vielleicht fährt er über Klemmen oder Bedienfeld (P.928 ist dann nicht 1); dort anhalten"
+        ),
+        Some(_) => both!(
+            "it may be run by its terminals or its keypad; stop it there, by the emergency stop or the mains",
+            "vielleicht fährt er über Klemmen oder Bedienfeld; dort, mit Not-Halt oder Netz anhalten"
+        ),
+    };
+    Failure::new(Class::Forbidden, NOT_STILL, message).with("address", address).hint(hint)
+}
+
+/// In Basic mode there are no parameters.
+pub(super) fn no_pkw(address: u8) -> Failure {
+    let message = both!(
+        "station {address} tells no parameter in Basic mode",
+        "Station {address} nennt im Basic-Modus keine Parameter"
+    );
+    Failure::new(Class::Refused, "refused.no_pkw", message).with("address", address)
 }
 
 /// The slave does not exchange data.
-pub(super) fn not_exchanging(address: u8, why: &Trouble) -> Failure {
+pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure {
+    let configured = if mode.is_basic() { "Basic" } else { "PPO1" };
     let (code, told) = match why {
         Trouble::Locked(master) => ("forbidden.locked", both!("master {master} has it", "Master {master} hat sie")),
         Trouble::Parameters => {
@@ -158,7 +180,7 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble) -> Failure {
         }
         Trouble::Configuration => (
             "refused.cfg_fault",
-            both!("it refuses PPO1 in Chk_Cfg (Cfg_Fault)", "sie lehnt PPO1 in Chk_Cfg ab (Cfg_Fault)"),
+            both!("it refuses {configured} in Chk_Cfg (Cfg_Fault)", "sie lehnt {configured} in Chk_Cfg ab (Cfg_Fault)"),
         ),
         Trouble::NotReady => (
             "refused.not_ready",
@@ -178,10 +200,21 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble) -> Failure {
         "Station {address} tauscht keine Daten aus: {told}",
         told
     );
-    Failure::new(class, code, message).with("address", address).hint(both!(
-        "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm goes into --user-prm; `antrieb -a {address} profibus \
-         live` tells its diagnosis",
-        "PKW gibt es nur im ProfiDrive-Modus; was seine GSD in Set_Prm verlangt, kommt in --user-prm; `antrieb -a {address} \
-         profibus live` nennt seine Diagnose"
-    ))
+    let hint = match mode {
+        Mode::Profidrive => both!(
+            "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm goes into --user-prm; a module in Basic mode is run \
+             with --mode basic and --drive; `antrieb -a {address} profibus live` tells its diagnosis",
+            "PKW gibt es nur im ProfiDrive-Modus; was seine GSD in Set_Prm verlangt, kommt in --user-prm; ein Modul im Basic-Modus \
+             fährt mit --mode basic und --drive; `antrieb -a {address} profibus live` nennt seine Diagnose"
+        ),
+        Mode::Basic(_) => both!(
+            "the block names the series: is --drive the inverter that is there? What its GSD wants in Set_Prm goes into --user-prm, \
+             whole; a module in ProfiDrive mode is run with --mode profidrive; `antrieb -a {address} profibus live` tells its \
+             diagnosis",
+            "der Block nennt die Serie: ist --drive der Umrichter, der da ist? Was seine GSD in Set_Prm verlangt, kommt ganz in \
+             --user-prm; ein Modul im ProfiDrive-Modus fährt mit --mode profidrive; `antrieb -a {address} profibus live` nennt seine \
+             Diagnose"
+        ),
+    };
+    Failure::new(class, code, message).with("address", address).hint(hint)
 }

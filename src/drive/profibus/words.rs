@@ -1,40 +1,11 @@
-//! The two words of a cycle, in both directions (SJ2-PB manual 4.1.2), and which follow one another.
+//! What a shaft is to do, and which words of a cycle follow one another for it.
+
+use super::mode::{Mode, Words};
 
 /// 100 % of a setpoint (4.1.2.3).
 pub(super) const FULL: i64 = 0x4000;
 /// The setpoint at which the scale is measured: 3 %.
 pub(super) const SMALL: u16 = 0x0200;
-
-/// Control word and setpoint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Words {
-    pub(super) stw: u16,
-    /// 4000h is 100 % of A004 (4.1.2.3).
-    pub(super) hsw: u16,
-}
-
-impl Words {
-    /// OFF1, with control kept (SJ2-PB manual 4.1.2.1).
-    pub(super) const STOP: Words = Words { stw: 0x047E, hsw: 0 };
-    /// Ready, without a start: bits 1 and 2 alone, with control kept.
-    pub(super) const PREPARE: Words = Words { stw: 0x0406, hsw: 0 };
-    /// Start clockwise (4.1.2.4), and the bit that turns it.
-    pub(super) const START: u16 = 0x047F;
-    pub(super) const REVERSE: u16 = 1 << 11;
-    /// The edge that acknowledges a fault (bit 7), with control kept.
-    pub(super) const ACKNOWLEDGE: Words = Words { stw: 0x0486, hsw: 0 };
-    /// OFF3 besides: the motor coasts, or by the norm stops quickly.
-    pub(super) const COAST: Words = Words { stw: 0x047A, hsw: 0 };
-}
-
-/// Status word and actual frequency.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seen {
-    /// ZSW (4.1.2.2).
-    pub zsw: u16,
-    /// HIW, 4000h is 100 % of A004 (4.1.2.3).
-    pub hiw: i16,
-}
 
 /// What the shaft is to do, signed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,25 +28,28 @@ pub enum Course {
 }
 
 /// Words one behind the other, with what is known of their setpoints before anything was measured.
-pub fn words(course: Course) -> Vec<(u16, u16)> {
-    let end = |coasts: bool| if coasts { Words::COAST } else { Words::STOP };
+pub fn words(course: Course, mode: Mode) -> Vec<(u16, u16)> {
+    let end = |coasts: bool| mode.coast().filter(|_| coasts).unwrap_or(mode.stop());
     let words = match course {
         Course::Stop(coasts) => vec![end(coasts)],
-        Course::Reset => vec![Words::PREPARE, Words::ACKNOWLEDGE, Words::PREPARE, Words::STOP],
+        Course::Reset => vec![mode.prepare(), mode.acknowledge(), mode.prepare(), mode.stop()],
         Course::Run(wanted, coasts) => {
             let (value, hsw) = match wanted {
+                Wanted::Hertz(value) if mode.is_basic() => (value, hundredths(value)),
                 Wanted::Hertz(value) => (value, SMALL),
                 Wanted::Percent(value) => (value, part(value, 10_000)),
             };
-            vec![Words::PREPARE, Words { stw: start(value), hsw }, end(coasts)]
+            vec![mode.prepare(), Words { stw: mode.start(value), hsw }, end(coasts)]
         }
     };
-    words.into_iter().map(|words| (words.stw, words.hsw)).collect()
+    let mut words: Vec<_> = words.into_iter().map(|words| (words.stw, words.hsw)).collect();
+    words.dedup();
+    words
 }
 
-/// The start word for a signed setpoint.
-pub(super) fn start(value: i64) -> u16 {
-    Words::START | if value < 0 { Words::REVERSE } else { 0 }
+/// A setpoint of the Basic block: 0.01 Hz (3.2.2).
+pub(super) fn hundredths(value: i64) -> u16 {
+    u16::try_from(value.abs()).unwrap_or_default()
 }
 
 /// A setpoint of 4000h at most, for a part of a maximum, rounded to 0.

@@ -1,9 +1,9 @@
 //! Values of an inverter, written over PKW with proof: the old one is read first, the new one afterwards.
 
 use super::exchange::Exchange;
+use super::mode::{Mode, Words};
 use super::read::place;
 use super::trouble;
-use super::words::Words;
 use crate::drive::decode::dp::{Cyclic, Reader};
 use crate::drive::describe;
 use crate::drive::job::{self, Step};
@@ -14,7 +14,6 @@ use crate::outcome::{Decimal, ErrorDoc, TelegramDoc, WriteResult, Written};
 use crate::profile::value::{self, from_wire};
 use crate::profile::{Family, Type};
 use crate::protocol::dp::Service;
-use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::pkw::Pkw;
 use crate::text::both;
 use crate::tick::Tick;
@@ -24,7 +23,7 @@ use crate::tick::Tick;
 pub fn planned(address: u8, family: &Family, step: &Step, element: Option<u8>) -> Result<Written, Failure> {
     let word = word(step)?;
     let request = Request::write(place(step.param.id, element), word, Tick::ZERO);
-    let telegram = told(address, request.asked(), (Words::STOP.stw, 0), family);
+    let telegram = told(address, request.asked(), (Mode::Profidrive.stop(), Mode::Profidrive), family);
     let mut row = describe::to_write(address, family, &step.param, 0, step.raw);
     row.index = element;
     job::tell(&mut row, Some(telegram));
@@ -32,14 +31,13 @@ pub fn planned(address: u8, family: &Family, step: &Step, element: Option<u8>) -
 }
 
 /// The telegram of a cycle with these words, and no request.
-pub fn cyclic(address: u8, words: (u16, u16), family: &Family) -> TelegramDoc {
-    told(address, Pkw::default(), words, family)
+pub fn cyclic(address: u8, (stw, hsw): (u16, u16), mode: Mode, family: &Family) -> TelegramDoc {
+    told(address, Pkw::default(), (Words { stw, hsw }, mode), family)
 }
 
-fn told(address: u8, pkw: Pkw, (stw, hsw): (u16, u16), family: &Family) -> TelegramDoc {
-    let outputs = pkw.encode().into_iter().chain(stw.to_be_bytes()).chain(hsw.to_be_bytes());
-    let telegram = Asked::service(Service::DataExchange, outputs.collect()).telegram(address, MASTER);
-    let reader = Reader { family: Some(family), cyclic: Some(Cyclic(Layout::Ppo(1))) };
+fn told(address: u8, pkw: Pkw, (words, mode): (Words, Mode), family: &Family) -> TelegramDoc {
+    let telegram = Asked::service(Service::DataExchange, mode.outputs(pkw, words)).telegram(address, MASTER);
+    let reader = Reader { family: Some(family), cyclic: Some(Cyclic(mode.layout())) };
     reader.telegram(&telegram)
 }
 

@@ -164,9 +164,13 @@ impl Module {
 
     /// The bus is lost: Conn Sta or P.620 in Basic mode, P.703 in ProfiDrive mode (3.2.2, 5.2, 5.3).
     fn loses(&mut self, now: Tick) {
-        let (word, by_bus) = (self.basic[0], self.hand == Hand::Words);
+        let by_bus = self.hand == Hand::Words;
         let order = match self.layout {
-            Some(Layout::Basic) if word & CONN_STA != 0 || self.inverter.stored(BUS_LOST_BASIC) == 1 => Order::Keep,
+            Some(Layout::Basic) if self.readings.has(Reading::BasicEndsLocal) => {
+                self.hand = Hand::Local;
+                return self.local(now);
+            }
+            Some(Layout::Basic) if self.keeps_running() => Order::Keep,
             Some(Layout::Basic) => Order::Stop,
             _ => match self.inverter.stored(BUS_LOST) {
                 1 => Order::Coast,
@@ -185,6 +189,14 @@ impl Module {
             self.hand = Hand::Lost;
             self.inverter.obey(now, order);
         }
+    }
+
+    /// Whether a motor that loses its master in Basic mode runs on: by Conn Sta of the last word, or by P.620.
+    fn keeps_running(&self) -> bool {
+        let by_word = self.basic[0] & CONN_STA != 0;
+        let by_parameter = self.inverter.stored(BUS_LOST_BASIC) == 1;
+        let has = |reading| self.readings.has(reading);
+        by_word && !has(Reading::GatewayAlone) || by_parameter && !has(Reading::ConnStaAlone)
     }
 
     /// Time passes: who has the motor goes on having it.
@@ -229,10 +241,11 @@ impl Module {
             *own = *word;
         }
         let [control, _, up, down] = self.basic;
-        // 0.1 to 3000.0 s; anything else is not taken (6.2).
+        // 0.1 to 3000.0 s; anything else is not taken (6.2), or held at the limit.
         for (ramp, tenths) in self.inverter.ramps.iter_mut().zip([up, down]) {
-            if (1..=30_000).contains(&tenths) {
-                *ramp = Some(Span::from_millis(u64::from(tenths) * 100));
+            let held = tenths.clamp(1, 30_000);
+            if held == tenths || self.readings.has(Reading::LimitsHold) {
+                *ramp = Some(Span::from_millis(u64::from(held) * 100));
             }
         }
         if control & RESET != 0 && before & RESET == 0 {

@@ -27,6 +27,10 @@ pub(crate) enum Reading {
     A004InTenths,
     A004InHundredths,
     RunIsCommand,
+    ConnStaAlone,
+    GatewayAlone,
+    LimitsHold,
+    BasicEndsLocal,
     TripIsSilent,
 }
 
@@ -71,6 +75,14 @@ impl readings::Reading for Reading {
         row("a004", &[("1hz", None), ("0.1hz", Some(R::A004InTenths)), ("0.01hz", Some(R::A004InHundredths))]),
         // 3.2.3
         row("run_bits", &[("shaft", None), ("command", Some(R::RunIsCommand))]),
+        // 3.2.2 against P.620: what keeps a motor running that loses its master in Basic mode
+        row("basic_lost", &[
+            ("either", None), ("conn-sta", Some(R::ConnStaAlone)), ("p620", Some(R::GatewayAlone)),
+        ]),
+        // 3.2.2, 6.2: a ramp of 0 or above 3000 s in the Basic block
+        row("basic_ramps", &[("ignored", None), ("held", Some(R::LimitsHold))]),
+        // 3.2.1, the note: A001 and A002 hold without a connection
+        row("basic_end", &[("stops", None), ("local", Some(R::BasicEndsLocal))]),
         row("trip", &[("diagnosis", None), ("silent", Some(R::TripIsSilent))]),
     ];
 

@@ -1,6 +1,6 @@
 //! What goes wrong with a motor, said in both languages, with what to do next.
 
-use super::super::words::Seen;
+use super::super::mode::{Mode, Seen};
 use super::unproven;
 use crate::drive::motion::may_turn;
 use crate::failure::{Class, Failure};
@@ -34,24 +34,23 @@ pub(in crate::drive::profibus) fn beyond(address: u8, most: i64, is_hertz: bool)
 /// A fault stands there before a run.
 pub(in crate::drive::profibus) fn faulted(address: u8) -> Failure {
     let message = both!(
-        "station {address} is in fault (ZSW bit 3): it does not start",
-        "Station {address} ist in Störung (ZSW Bit 3): sie startet nicht"
+        "station {address} is in fault: it does not start",
+        "Station {address} ist in Störung: sie startet nicht"
     );
     forbidden("forbidden.fault", address, message).hint(reset(address))
 }
 
 /// A trip during a run.
 pub(in crate::drive::profibus) fn tripped(address: u8) -> Failure {
-    let message =
-        both!("station {address} has tripped (ZSW bit 3)", "Station {address} hat eine Störung gemeldet (ZSW Bit 3)");
+    let message = both!("station {address} has tripped", "Station {address} hat eine Störung gemeldet");
     forbidden("forbidden.tripped", address, message).hint(reset(address))
 }
 
 /// There is nothing to acknowledge.
 pub(in crate::drive::profibus) fn no_fault(address: u8) -> Failure {
     let message = both!(
-        "station {address} is not in fault (ZSW bit 3): there is nothing to reset",
-        "Station {address} ist nicht in Störung (ZSW Bit 3): nichts zu quittieren"
+        "station {address} is not in fault: there is nothing to reset",
+        "Station {address} ist nicht in Störung: nichts zu quittieren"
     );
     forbidden("forbidden.no_fault", address, message)
 }
@@ -59,8 +58,8 @@ pub(in crate::drive::profibus) fn no_fault(address: u8) -> Failure {
 /// A fault stays.
 pub(in crate::drive::profibus) fn still_faulted(address: u8) -> Failure {
     let message = both!(
-        "station {address} was told to acknowledge, but the fault stands (ZSW bit 3)",
-        "Station {address} sollte quittieren, aber die Störung steht noch an (ZSW Bit 3)"
+        "station {address} was told to acknowledge, but the fault stands",
+        "Station {address} sollte quittieren, aber die Störung steht noch an"
     );
     refused("refused.fault_stands", address, message).hint(both!(
         "its cause is still there; the display tells which",
@@ -77,19 +76,27 @@ fn reset(address: u8) -> Text {
 
 /// The word that prepares is not obeyed.
 pub(in crate::drive::profibus) fn not_ready(address: u8, seen: Seen, is_still: bool) -> Failure {
-    let zsw = seen.zsw;
     if !is_still {
-        return unproven(address, seen.hiw);
+        return unproven(address, Some(seen));
     }
+    let (named, word) = (seen.named(), if seen.state.is_some() { "0050h" } else { "0406h" });
     let message = both!(
-        "station {address} does not become ready: ZSW is {zsw:04X}h behind 0406h",
-        "Station {address} wird nicht bereit: ZSW ist {zsw:04X}h hinter 0406h"
+        "station {address} does not become ready: {named} behind {word}",
+        "Station {address} wird nicht bereit: {named} hinter {word}",
+        named
     );
-    forbidden("forbidden.not_ready", address, message).hint(rights())
+    forbidden("forbidden.not_ready", address, message).hint(rights(seen))
 }
 
 /// What gives a master the control.
-fn rights() -> Text {
+fn rights(seen: Seen) -> Text {
+    if seen.state.is_some() {
+        return both!(
+            "Net Ctrl and Net Ref (bits 4 and 6) should come back: is the inverter's switch at OPE, and LED5 of the module green?",
+            "Net Ctrl und Net Ref (Bits 4 und 6) sollten zurückkommen: steht der Schalter am Umrichter auf OPE, ist LED5 des Moduls \
+             grün?"
+        );
+    }
     both!(
         "control from the bus needs P.928 = 1 (--take-control sets it for the run) and A001, A002 of the inverter for it",
         "Steuern über den Bus braucht P.928 = 1 (--take-control setzt es für den Lauf) und A001, A002 des Umrichters dafür"
@@ -98,31 +105,33 @@ fn rights() -> Text {
 
 /// The start word is not obeyed.
 pub(in crate::drive::profibus) fn not_started(address: u8, seen: Seen) -> Failure {
-    let zsw = seen.zsw;
+    let named = seen.named();
     let message = both!(
-        "station {address} does not start: ZSW is {zsw:04X}h behind the start word",
-        "Station {address} startet nicht: ZSW ist {zsw:04X}h hinter dem Startwort"
+        "station {address} does not start: {named} behind the start word",
+        "Station {address} startet nicht: {named} hinter dem Startwort",
+        named
     );
-    forbidden("forbidden.not_started", address, message).hint(rights())
+    forbidden("forbidden.not_started", address, message).hint(rights(seen))
 }
 
 /// Somebody else gives the setpoint or starts and stops.
-pub(in crate::drive::profibus) fn others(address: u8, who: u32) -> Failure {
+pub(in crate::drive::profibus) fn others(address: u8, who: u32, seen: Seen) -> Failure {
     let message = both!(
         "station {address}: setpoint or control do not come from the bus (P.600 = {who})",
         "Station {address}: Sollwert oder Steuerung kommen nicht vom Bus (P.600 = {who})"
     );
-    forbidden("forbidden.control", address, message).hint(rights())
+    forbidden("forbidden.control", address, message).hint(rights(seen))
 }
 
 /// The control went to somebody else while the motor ran.
 pub(in crate::drive::profibus) fn lost_control(address: u8, seen: Seen) -> Failure {
-    let zsw = seen.zsw;
+    let (named, bits) = (seen.named(), if seen.state.is_some() { "4, 6" } else { "9" });
     let message = both!(
-        "station {address} no longer obeys the bus: ZSW is {zsw:04X}h, bit 9 is gone",
-        "Station {address} gehorcht dem Bus nicht mehr: ZSW ist {zsw:04X}h, Bit 9 fehlt"
+        "station {address} no longer obeys the bus: {named}, bit {bits} is gone",
+        "Station {address} gehorcht dem Bus nicht mehr: {named}, Bit {bits} fehlt",
+        named
     );
-    forbidden("forbidden.control", address, message).hint(rights())
+    forbidden("forbidden.control", address, message).hint(rights(seen))
 }
 
 /// The start word is obeyed, and nothing turns.
@@ -169,11 +178,11 @@ pub(in crate::drive::profibus) fn scale(address: u8, hsw: u16, told: i64, maxima
 }
 
 /// The line is dead while the motor was to be stopped.
-pub(in crate::drive::profibus) fn unreached(failure: Failure, lost: Option<u32>) -> Failure {
+pub(in crate::drive::profibus) fn unreached(failure: Failure, mode: Mode, lost: Option<u32>) -> Failure {
     let mut failure = failure;
     let warned = may_turn();
     failure.message = Text::join([&warned, &failure.message], ": ");
-    let told = behind(lost);
+    let told = if mode.is_basic() { behind_basic() } else { behind(lost) };
     failure.hint(both!(
         "{told}; what stops it now: its terminals, the emergency stop, the mains",
         "{told}; was ihn jetzt anhält: seine Klemmen, der Not-Halt, das Netz",
@@ -223,6 +232,63 @@ fn behind(lost: Option<u32>) -> Text {
         ),
         _ => both!("what it does without a master was not told", "was er ohne Master tut, wurde nicht genannt"),
     }
+}
+
+/// What a motor does whose slave lost us in Basic mode (3.2.2, 5.3).
+fn behind_basic() -> Text {
+    both!(
+        "once its watchdog acts, it stops (Conn Sta = 0), unless P.620 = 1 keeps it running",
+        "sobald seine Überwachung anspricht, hält er an (Conn Sta = 0), wenn ihn nicht P.620 = 1 weiterlaufen lässt"
+    )
+}
+
+/// What decides on a motor that Basic mode has let go.
+pub(in crate::drive::profibus) fn terminals_have_it() -> Text {
+    both!(
+        "without us start and setpoint come from A002 and A001, which Basic mode does not tell: where the terminals may start the \
+         inverter, a closed start contact starts it as the outputs become zero; P.620 = 1 keeps a motor running that loses us",
+        "ohne uns bestimmen A002 und A001 Start und Sollwert; der Basic-Modus nennt sie nicht: wo die Klemmen starten dürfen, startet \
+         ein geschlossener Startkontakt den Umrichter, sobald die Ausgänge null werden; P.620 = 1 lässt einen Motor weiterlaufen, \
+         der uns verliert"
+    )
+}
+
+/// Outputs of zero would give a motor to those who turned it before.
+pub(in crate::drive::profibus) fn kept_from_terminals(address: u8) -> Failure {
+    let message = both!(
+        "station {address} was stopped, but it turned before it was taken: zero outputs may give it back to a closed contact, so \
+         none went out, and it was let go under the stop word",
+        "Station {address} wurde angehalten, drehte aber, bevor sie übernommen wurde: Ausgänge auf null gäben sie vielleicht einem \
+         geschlossenen Kontakt zurück, also gingen keine hinaus; sie wurde unter dem Stoppwort freigegeben"
+    );
+    forbidden("forbidden.terminals", address, message).hint(open_the_contact())
+}
+
+/// Outputs of zero started the motor, and it was stopped again.
+pub(in crate::drive::profibus) fn started_by_terminals(address: u8) -> Failure {
+    let message = both!(
+        "station {address} was started by somebody else as its outputs became zero (a closed contact?); it was stopped again, and let \
+         go under the stop word",
+        "Station {address} wurde von jemand anderem gestartet, als ihre Ausgänge null wurden (ein geschlossener Kontakt?); sie wurde \
+         wieder angehalten und unter dem Stoppwort freigegeben"
+    );
+    forbidden("forbidden.terminals", address, message).hint(open_the_contact())
+}
+
+fn open_the_contact() -> Text {
+    both!(
+        "whether it stays at rest without a master no source tells: open its start contact (FW, RV)",
+        "ob sie ohne Master stehen bleibt, sagt keine Quelle: den Startkontakt öffnen (FW, RV)"
+    )
+}
+
+/// In Basic mode nothing tells what 100 % are.
+pub(in crate::drive::profibus) fn no_maximum(address: u8) -> Failure {
+    let message = both!(
+        "station {address}: in Basic mode a setpoint is in Hz; the maximum frequency (A004), which is 100 %, is not told there",
+        "Station {address}: im Basic-Modus ist ein Sollwert in Hz; die Maximalfrequenz (A004), also 100 %, wird dort nicht genannt"
+    );
+    Failure::new(Class::Usage, "usage.setpoint", message).with("address", address)
 }
 
 /// The output is off, and nothing shows that the shaft stands.

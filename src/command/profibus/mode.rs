@@ -1,0 +1,97 @@
+//! In which mode a slave is taken: as it was typed, else as the slave says that it is configured, else PPO1.
+
+use super::spoken::{Choice, Spoken};
+use super::taking::Whom;
+use crate::drive::profibus::{Line, Mode, Taking, basic_block, configured};
+use crate::failure::{Class, Failure};
+use crate::outcome::Event;
+use crate::text::{Text, both};
+use crate::tick::Span;
+
+impl Whom<'_> {
+    /// Refuses what needs no slave to be known as wrong.
+    pub(super) fn knows(&self, choice: Choice) -> Result<(), Failure> {
+        match choice.spoken {
+            Some(Spoken::Basic) => block(self).map(|_| ()).ok_or_else(no_series),
+            Some(Spoken::Profidrive) if choice.ramps.is_some() => Err(no_ramps()),
+            _ => Ok(()),
+        }
+    }
+
+    /// How the slave is taken. Says which mode it is, and why. A stop is led on by nobody's interrupt.
+    pub(super) async fn taking(
+        &self,
+        line: &mut Line<'_>,
+        choice: Choice,
+        (watchdog, is_stop): (Span, bool),
+    ) -> Result<Taking, Failure> {
+        let block = block(self);
+        let (is_basic, why) = match choice.spoken {
+            Some(spoken) => (spoken == Spoken::Basic, Text::name("--mode")),
+            None => told(configured(line, self.address, is_stop).await?, block.is_some()),
+        };
+        if !is_basic && choice.ramps.is_some() {
+            return Err(no_ramps());
+        }
+        let (address, name) = (self.address, if is_basic { "Basic" } else { "ProfiDrive (PPO1)" });
+        line.tell(Event::Note(both!(
+            "station {address}: mode {name}: {why}",
+            "Station {address}: Modus {name}: {why}",
+            why
+        )));
+        let user = if is_basic { block.unwrap_or_default() } else { self.slave.user() };
+        Ok(Taking { mode: mode(choice, is_basic), user, watchdog })
+    }
+}
+
+/// Whether Get_Cfg has told the Basic block, and it may be taken.
+fn told(found: Option<(String, bool)>, has_series: bool) -> (bool, Text) {
+    match found {
+        Some((bytes, true)) if !has_series => (
+            false,
+            both!(
+                "Get_Cfg tells {bytes}, the Basic block, but not which series (--drive)",
+                "Get_Cfg nennt {bytes}, den Basic-Block, aber nicht die Serie (--drive)"
+            ),
+        ),
+        Some((bytes, is_basic)) => (is_basic, both!("Get_Cfg tells {bytes}", "Get_Cfg nennt {bytes}")),
+        None => (false, both!("Get_Cfg tells nothing", "Get_Cfg nennt nichts")),
+    }
+}
+
+/// User parameters of the Basic block: those that were given, or the block of the series that was named.
+fn block(whom: &Whom<'_>) -> Option<Vec<u8>> {
+    let given = Some(whom.slave.user()).filter(|user| !user.is_empty());
+    given.or_else(|| basic_block(&whom.named.as_ref()?.drive))
+}
+
+fn no_series() -> Failure {
+    let message = both!(
+        "--mode basic names the inverter in Set_Prm, and nothing tells which it is",
+        "--mode basic nennt in Set_Prm den Umrichter, und nichts sagt, welcher es ist"
+    );
+    Failure::new(Class::Usage, "usage.series", message).hint(both!(
+        "--drive l200, sj200 or x200; or --user-prm with the bytes of the GSD",
+        "--drive l200, sj200 oder x200; oder --user-prm mit den Bytes der GSD"
+    ))
+}
+
+fn no_ramps() -> Failure {
+    let message = both!(
+        "--set: in ProfiDrive mode ramps are parameters of the inverter",
+        "--set: im ProfiDrive-Modus sind Rampen Parameter des Umrichters"
+    );
+    Failure::new(Class::Usage, "usage.ramps", message).hint(both!(
+        "`antrieb --protocol dp write F002=5s F003=5s`, or --mode basic",
+        "`antrieb --protocol dp write F002=5s F003=5s`, oder --mode basic"
+    ))
+}
+
+/// The mode for a plan, where no slave is asked.
+pub(super) fn planned(choice: Choice) -> Mode {
+    mode(choice, choice.spoken == Some(Spoken::Basic))
+}
+
+fn mode(choice: Choice, is_basic: bool) -> Mode {
+    if is_basic { Mode::Basic(choice.ramps.unwrap_or_default()) } else { Mode::Profidrive }
+}
