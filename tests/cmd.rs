@@ -15,7 +15,9 @@ fn cases() {
         .insert_var("[VERSION]", env!("CARGO_PKG_VERSION"))
         .unwrap()
         .case("tests/cmd/*.trycmd")
-        .case("docs/first-day.md");
+        .case("docs/first-day.md")
+        .case("docs/active.md")
+        .case("docs/lexium.md");
 }
 
 fn antrieb(arguments: &[&str]) -> Command {
