@@ -1,5 +1,7 @@
 //! `write`: set parameters, with proof.
 
+mod relief;
+
 use super::profibus::{self, SlaveArgs};
 use super::read::select_failure;
 use super::verb::{Verb, Working};
@@ -9,7 +11,7 @@ use crate::drive::job::{self, Job, Step};
 use crate::drive::motion::present;
 use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{Ask, Hazard, Permit, Writing};
+use crate::gate::{Ask, Hazard, Permit, Writes, Writing};
 use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError};
 use crate::profile::{Family, Param, Role, Selector, Type};
@@ -25,7 +27,8 @@ use clap::Args as ClapArgs;
 /// What cuts the line at once (P.1376, P.395) or restarts the drive goes last; two of these are refused beside each other.
 ///
 /// Everything is checked before anything is sent. Then old and new values are shown and you are asked; every write is
-/// read back. What the drive has already is not sent again.
+/// read back. What the drive has already is not sent again. Nobody is asked for what can only take motion away: the control
+/// words 0 and 2, and a setpoint of zero, unless the drive adds another one to it that turns the shaft the other way.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// PARAMETER=VALUE, such as 480=12,5Hz or 376@4=1.5kW
@@ -104,6 +107,11 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
+    let mut failures = Vec::new();
+    if let Some(permit) = relief::permit(&mut session, &mut jobs).await? {
+        carry_out(&mut session, &mut jobs, &terms, &permit, &mut failures).await;
+        return Ok(job::done(jobs, failures, &terms));
+    }
     let permit = match permit(&mut session, *ask, &mut jobs).await {
         Ok(Some(permit)) => permit,
         Ok(None) => return Ok(job::done(jobs, Vec::new(), &terms)),
@@ -114,13 +122,22 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         }
         Err(failure) => return Err(failure),
     };
-    let mut failures = Vec::new();
-    for job in &mut jobs {
-        if job::carry_out(&mut session, job, &terms, &permit, &mut failures).await {
+    carry_out(&mut session, &mut jobs, &terms, &permit, &mut failures).await;
+    Ok(job::done(jobs, failures, &terms))
+}
+
+async fn carry_out(
+    session: &mut Session<'_>,
+    jobs: &mut [Job],
+    terms: &Terms<'_>,
+    permit: &Permit<impl Writes>,
+    failures: &mut Vec<Failure>,
+) {
+    for job in jobs {
+        if job::carry_out(session, job, terms, permit, failures).await {
             break;
         }
     }
-    Ok(job::done(jobs, failures, &terms))
 }
 
 /// The same with PROFIBUS spoken: an inverter has no data sets, and its parameters have types of their own.
@@ -206,14 +223,14 @@ fn better_by_line(steps: &[Step], family: &Family, own: Option<Role>) -> Option<
     ))
 }
 
-/// Whoever stops a drive by hand is not to wait at a question.
+/// Whoever stops a drive by hand has a verb that is quicker, and tells what came of it.
 fn is_a_stop(steps: &[Step], family: &Family) -> Option<Text> {
-    let word = family.role(Role::ControlWord)?;
-    steps.iter().find(|step| step.param.id == word.id && step.raw == 0)?;
-    let label = word.label();
+    let (step, (verb, _)) = steps.iter().find_map(|step| Some((step, relief::stop(step, family)?)))?;
     Some(both!(
-        "{label} = 0 takes the power away: `antrieb statemachine disable-voltage` sends it at once, asks nobody, and looks what came of it",
-        "{label} = 0 nimmt die Spannung weg: `antrieb statemachine disable-voltage` sendet es sofort, fragt niemanden und sieht nach, was daraus wurde"
+        "{label} = {word} is a stop: `antrieb statemachine {verb}` sends it at once and looks what came of it",
+        "{label} = {word} ist ein Halt: `antrieb statemachine {verb}` sendet ihn sofort und sieht nach, was daraus wurde",
+        label = step.param.label(),
+        word = step.raw
     ))
 }
 

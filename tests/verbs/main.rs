@@ -109,6 +109,7 @@ mod motion {
     mod unmeasured;
     mod unreached;
     mod within;
+    mod zeros;
 }
 
 /// What needs no drive: catalogues, files, settings.

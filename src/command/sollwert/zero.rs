@@ -3,7 +3,7 @@
 use super::Args;
 use super::wanted::Wanted;
 use crate::command::running::Plan;
-use crate::drive::motion::{Situation, may_turn, role_raw, turns, working};
+use crate::drive::motion::{Situation, may_turn, role_raw, turns, zero_only_slows};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -56,19 +56,7 @@ pub(super) async fn relief(
     if wanted.mode.value.is_some() && active != wanted.mode.value {
         return Ok(None);
     }
-    let Some(source) = wanted.mode.source.as_ref().filter(|_| before.state == "operation-enabled") else {
-        return Ok(Some(Relief::Zero));
-    };
-    let family = target.family.clone();
-    let present = working(session, target, &family.param_or_unknown(source.param)).await?;
-    let adds = source.choices.iter().any(|choice| choice.slug == "sum" && Some(choice.value) == present);
-    if !adds {
-        return Ok(Some(Relief::Zero));
-    }
-    // Without the line setpoint the internal one remains. It must not turn the shaft the other way.
-    let internal = role_raw(session, target, "setpoint-internal").await?;
-    let line = role_raw(session, target, "setpoint-bus").await?;
-    let only_slows = internal.zip(line).is_some_and(|(internal, line)| internal.signum() * line.signum() >= 0);
+    let only_slows = zero_only_slows(session, target, &wanted.mode, &before.state).await?;
     Ok(only_slows.then_some(Relief::Zero))
 }
 

@@ -10,7 +10,7 @@ pub use asked::{lines, look_again, question};
 use super::stands::{has_ram, in_ram};
 use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};
 use crate::failure::{Class, Failure};
-use crate::gate::{Permit, Writing};
+use crate::gate::{Permit, Writes};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::paramfile::At;
 use crate::profile::value::{self, format_decimal};
@@ -160,7 +160,7 @@ pub async fn carry_out(
     session: &mut Session<'_>,
     job: &mut Job,
     terms: &Terms<'_>,
-    permit: &Permit<Writing>,
+    permit: &Permit<impl Writes>,
     failures: &mut Vec<Failure>,
 ) -> bool {
     let mut stopped = false;
@@ -194,7 +194,7 @@ pub(in crate::drive) async fn carry_step(
     step: &Step,
     row: &mut Written,
     terms: &Terms<'_>,
-    permit: &Permit<Writing>,
+    permit: &Permit<impl Writes>,
 ) -> Option<Failure> {
     let address = target.address;
     let fate = match begin(session, target, step).await {

@@ -1,13 +1,13 @@
 //! What stands in a drive from before, and turns the shaft once it is enabled.
 
 use super::has_power;
-use super::look::{raw, status_word};
+use super::look::{raw, role_raw, status_word, working};
 use super::own::{Promise, shown};
 use crate::drive::describe;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
-use crate::profile::Param;
+use crate::profile::{Mode, Param};
 use crate::text::{Text, both};
 
 /// A setpoint, or the source of one, that stands in the drive from before and turns the shaft once it is enabled.
@@ -88,6 +88,25 @@ pub async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Re
         found.push(Promise::read(session, target, mode, &[]).await?);
     }
     Ok(found)
+}
+
+/// Whether a setpoint of zero can only slow the shaft. In its own mode nothing else is left, but where the drive adds a setpoint of its
+/// own to it (CM-485 manual 9.2.1): that must not turn the shaft the other way. A drive without power turns nothing.
+pub async fn zero_only_slows(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    mode: &Mode,
+    state: &str,
+) -> Result<bool, Failure> {
+    let Some(source) = mode.source.as_ref().filter(|_| state == "operation-enabled") else { return Ok(true) };
+    let param = target.family.param_or_unknown(source.param);
+    let present = working(session, target, &param).await?;
+    if !source.choices.iter().any(|choice| choice.slug == "sum" && Some(choice.value) == present) {
+        return Ok(true);
+    }
+    let internal = role_raw(session, target, "setpoint-internal").await?;
+    let line = role_raw(session, target, "setpoint-bus").await?;
+    Ok(internal.zip(line).is_some_and(|(internal, line)| internal.signum() * line.signum() >= 0))
 }
 
 impl Standing {

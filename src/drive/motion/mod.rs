@@ -26,7 +26,7 @@ mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
-pub use before::{Standing, own_setpoints, present, runs_at, standing, upon_enabling};
+pub use before::{Standing, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows};
 pub use changes::would_change;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{

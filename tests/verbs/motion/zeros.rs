@@ -1,0 +1,81 @@
+//! Stop words and zeros that are written as values: what can only take motion away asks nobody, everything else asks (CM-485 manual 9.1.2, 9.1.3,
+//! 9.2).
+
+use super::rig::drive;
+use crate::run::antrieb;
+
+/// A drive at 20 Hz: who controls it (P.412), where its setpoint comes from (P.434), and its internal setpoint (P.228).
+fn inverter(control: u8, source: u8, internal: i32) -> String {
+    drive(
+        &format!(
+            "\"410\" = 15, \"412\" = {control}, \"434\" = {source}, \"228\" = {internal}, \"418\" = 0, \"484\" = 20"
+        ),
+        "",
+    )
+}
+
+/// Without a terminal, whoever would be asked refuses.
+fn asks(line: &str, bench: &str) -> bool {
+    let run = antrieb(&format!("-v {line}")).on(bench).run();
+    let refused = run.err.contains("there is no terminal to ask");
+    assert_eq!(run.exit, if refused { 8 } else { 0 }, "{line}: {}", run.err);
+    refused
+}
+
+#[test]
+fn a_value_that_can_only_take_motion_away_is_written_without_a_question() {
+    let idle = inverter(1, 3, -10).replace("\"410\" = 15", "\"410\" = 0");
+    let servo = "[[drive]]\nmodel = \"lxm05\"\nset = { PVn_target = 600, DCOMcontrol = 6 }\n";
+    for (told, bench, values, asked) in [
+        // Transition 7, 9 or 10; as contacts all open.
+        ("commands", &inverter(1, 2, 0), "410=0", false),
+        ("contacts", &inverter(2, 2, 0), "410=0", false),
+        ("terminals", &inverter(0, 2, 0), "410=0", false),
+        // Transition 11; as contacts S2IND alone, and without S1IND there is no release.
+        ("commands", &inverter(1, 2, 0), "410=2", false),
+        ("contacts", &inverter(2, 2, 0), "410=2", false),
+        ("commands", &inverter(1, 2, 0), "410=6", true),
+        ("commands", &inverter(1, 2, 0), "410=7", true),
+        ("commands", &inverter(1, 2, 0), "410=0x80", true),
+        ("contacts", &inverter(2, 2, 0), "410=3", true),
+        // The line setpoint alone; it does not count; both are added; the internal one turns the other way.
+        ("line", &inverter(1, 2, 0), "484=0", false),
+        ("internal", &inverter(1, 1, 10), "484=0", false),
+        ("sum", &inverter(1, 3, 10), "484=0", false),
+        ("sum, the other way", &inverter(1, 3, -10), "484=0", true),
+        ("sum, without power", &idle, "484=0", false),
+        ("line", &inverter(1, 2, 0), "484=0.5Hz", true),
+        ("a percentage is for a controller", &inverter(1, 2, 0), "524=0", true),
+        ("two", &inverter(1, 2, 0), "484=0 410=0", false),
+        ("two", &inverter(1, 2, 0), "484=0 480@1=7Hz", true),
+    ] {
+        let line = format!("-b 115200 -a 1 --drive acu write {values}");
+        assert_eq!(asks(&line, bench), asked, "{told}: {values}");
+    }
+    for (values, asked) in [
+        ("DCOMcontrol=0", false),
+        ("DCOMcontrol=2", false),
+        ("DCOMcontrol=15", true),
+        ("PVn_target=0", false),
+        ("PVn_target=100", true),
+    ] {
+        assert_eq!(asks(&format!("-a 1 --drive lxm05 write {values}"), servo), asked, "{values}");
+    }
+    // Nobody has looked what else is there.
+    assert!(asks("-b 115200 -a 0 --drive acu write 410=0", &inverter(1, 2, 0)));
+    // What a controller makes of 0 % its own settings say (9.2.2).
+    assert!(asks("-b 115200 -a 1 --drive act sollwert 0%", &inverter(1, 2, 0).replace("acu", "act")));
+}
+
+/// The verb that is quicker is named, in the words of what was written.
+#[test]
+fn a_stop_word_that_is_written_names_the_verb() {
+    for (value, verb) in [("410=0", "statemachine disable-voltage"), ("410=2", "statemachine quick-stop")] {
+        for lang in ["en", "de"] {
+            let run = antrieb(&format!("--lang {lang} -b 115200 -a 1 write {value}")).on(&inverter(1, 2, 0)).exits(0);
+            assert!(run.err.contains(verb), "{}", run.err);
+        }
+    }
+    let other = antrieb("-b 115200 -a 1 --yes write 410=7").on(&inverter(1, 2, 0)).exits(0);
+    assert!(!other.err.contains("statemachine"), "{}", other.err);
+}
