@@ -283,6 +283,10 @@ async fn on_drive<'p, C>(
     // Behind a quick stop in place of the ramp no other one follows, nor behind what takes the power.
     let choice = if first_word.leaves_the_strongest() { StopChoice::Coast } else { plan.choice() };
     motor.relieving = plan.relief.map(|_| begun);
+    if goes_first.is_some() {
+        // Whoever presses while that is on its way means nothing but the stop.
+        motor.heeded = 0;
+    }
     motor.first_word = first_word;
     motor.promises.clone_from(&plan.promises);
     motor.watched = watched;

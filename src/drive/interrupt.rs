@@ -81,6 +81,11 @@ impl Interrupt {
     pub fn note(&mut self) {
         self.noted = self.inner.0.load(Ordering::Relaxed).max(OF_ITSELF);
     }
+
+    /// How often somebody has pressed, as far as note was taken of it.
+    pub fn presses(&self) -> u32 {
+        self.noted / PRESS
+    }
 }
 
 /// What a wish that comes of itself counts, once.
@@ -104,6 +109,25 @@ mod tests {
         signals.press();
         assert!(here.is_raised());
         assert!(signals.is_raised(), "what one has noted the others still hear");
+    }
+
+    #[test]
+    fn presses_are_counted_however_many_are_noted_at_once() {
+        for of_itself in [false, true] {
+            let signals = Interrupt::default();
+            let mut here = signals.clone();
+            if of_itself {
+                signals.raise();
+            }
+            here.note();
+            assert_eq!(here.presses(), 0, "a hang-up is no press");
+            signals.press();
+            signals.press();
+            assert_eq!(here.presses(), 0, "not noted yet");
+            here.note();
+            assert_eq!(here.presses(), 2);
+            assert_eq!(here.clone().presses(), 2);
+        }
     }
 
     #[test]

@@ -29,6 +29,7 @@ use std::rc::Rc;
 mod beside;
 mod blurting;
 mod keeping;
+mod unanswered;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
 const SOUNDINGS: u8 = 2;
@@ -63,6 +64,8 @@ pub struct Session<'a> {
     listens: bool,
     /// Why the last question brought no answer, if it brought none.
     unanswered: Option<ExchangeError>,
+    /// What is told where nobody answers for long.
+    warns: Option<unanswered::Warns>,
     /// What is heard on a CAN bus, whomever it is for.
     heard: Option<can::Heard>,
 }
@@ -127,6 +130,7 @@ impl<'a> Session<'a> {
             since: None,
             listens: false,
             unanswered: None,
+            warns: None,
             heard: None,
         }
     }
@@ -231,6 +235,7 @@ impl<'a> Session<'a> {
             let put = async |line: &mut OpenLine<'a>| line.put(station, once, &self.interrupt, ends_at).await;
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
+            self.heeds(matches!(outcome, Ok(Ok(_))));
             match outcome {
                 Err(PumpError::TimeUp(error)) => {
                     return Err(self.unanswered.clone().unwrap_or(error.behind(asked)).into());
@@ -343,6 +348,11 @@ impl<'a> Session<'a> {
     /// does so again.
     pub fn note_interrupts(&mut self) {
         self.interrupt.note();
+    }
+
+    /// How often somebody has pressed since this program began, as far as note was taken of it.
+    pub fn presses(&self) -> u32 {
+        self.interrupt.presses()
     }
 
     /// Whether somebody interrupts, of which no note was taken.

@@ -70,7 +70,9 @@ pub(super) async fn stop_harder(
     address: u8,
     act: Option<Relief>,
 ) -> Result<FirstWord, Failure> {
-    let mut act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
+    session.note_interrupts();
+    let once = act == Some(Relief::Disable) && session.presses() < 2;
+    let mut act = if once { Relief::QuickStop } else { Relief::DisableVoltage };
     let mut word = FirstWord::default();
     for drive in meant(settings, registry, &[address])? {
         loop {

@@ -149,6 +149,8 @@ pub struct Motor<'a, 's> {
     pub unheard: bool,
     /// Somebody did not wait for the stop.
     hurried: bool,
+    /// So many presses of Ctrl-C have had the stop that they ask for.
+    pub heeded: u32,
     /// Every question ends then, whatever has come of it.
     bound: Option<Tick>,
     /// When it was written to last, and what can be written to it again without changing anything.
@@ -205,7 +207,7 @@ impl<'a, 's> Motor<'a, 's> {
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
         let guard = guard(target, target.known_watchdog);
-        let now = session.now();
+        let (now, heeded) = (session.now(), session.presses());
         Motor {
             session,
             target,
@@ -238,6 +240,7 @@ impl<'a, 's> Motor<'a, 's> {
             relieving: None,
             unheard: false,
             hurried: false,
+            heeded,
             bound: None,
             fed: now,
             again: None,
@@ -298,6 +301,7 @@ impl<'a, 's> Motor<'a, 's> {
         let must_stop = has_hand_on && (hold || result.is_err()) && !is_done;
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
         self.session.heed(Interrupt::default());
+        self.session.warns_no_more();
         self.session.insist(false);
         if self.relieving.is_some() || self.unheard {
             // What is left unanswered holds the line as long as it is waited for.

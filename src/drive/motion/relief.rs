@@ -27,6 +27,16 @@ pub fn may_turn() -> Text {
     both!("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
 }
 
+/// What is said as soon as it is known that nobody answers a stop.
+pub(super) fn unanswered() -> Text {
+    both!(
+        "{turns}: no valid answer to the stop, which goes on being sent; what stops it now: the enable input, the emergency stop, or the mains",
+        "{turns}: keine gültige Antwort auf den Halt, der weiter gesendet wird; was ihn jetzt anhält: der Freigabeeingang, der Not-Halt oder das \
+         Netz",
+        turns = may_turn()
+    )
+}
+
 impl StopChoice {
     /// What follows where such an act was interrupted, or not obeyed.
     pub fn beyond(act: Relief) -> Self {
@@ -80,6 +90,7 @@ impl Motor<'_, '_> {
         self.sight.forget();
         self.looked_at_before();
         self.session.insist(true);
+        self.session.warns(unanswered());
         match self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await {
             Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {
                 self.tell_lost(&failure);
@@ -236,7 +247,7 @@ impl Motor<'_, '_> {
         let passes = self.session.is_shared() || self.first_word.is_late;
         let passes = passes && self.target.family.motion.stator.is_some();
         let late = passes && self.first_word.is_late && self.first_word.heard;
-        if late && act == Relief::QuickStop && !self.sight.must_look() {
+        if late && act != Relief::DisableVoltage && !self.sight.must_look() {
             self.looks_on().await?;
         }
         let status = self.status().await?;
@@ -276,7 +287,7 @@ impl Motor<'_, '_> {
     }
 
     /// Whether the first word was heard, and was the command that was asked for.
-    fn commands(&self, act: Relief) -> bool {
+    pub(super) fn commands(&self, act: Relief) -> bool {
         let command = command_of(act).and_then(|slug| self.target.family.machine.command(slug));
         self.first_word.heard && command.is_some_and(|command| self.first_word.word == Some(command.word))
     }

@@ -26,7 +26,7 @@
 //!   every mode in which a zero brings the shaft to rest.
 
 use super::passing::Look;
-use super::relief::command_of;
+use super::relief::{command_of, unanswered};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Meant, no};
 use crate::drive::session::Session;
@@ -365,6 +365,9 @@ impl<'m> Call<'m> {
         let Some((family, word)) = self.words.pop_front() else { return Ok(false) };
         let now = session.now();
         let begun = *self.begun.get_or_insert(now);
+        if !self.tell.is_first() {
+            session.warns(unanswered());
+        }
         let waits = match self.tell {
             Tell::Unsounded => GLANCE,
             // What comes later would come in the turn of another; but at first others are not kept waiting for that.

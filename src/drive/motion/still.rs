@@ -5,6 +5,7 @@ use super::look::working;
 use super::patience::{FEW, Wait};
 use super::shaft::Watch;
 use crate::failure::{Class, Failure};
+use crate::gate::Relief;
 use crate::outcome::{Event, State};
 use crate::profile::{Blind, Param};
 use crate::text::{Text, both};
@@ -44,7 +45,8 @@ impl Motor<'_, '_> {
         let on = has_power(slug);
         self.powered |= on == Some(true);
         self.works = slug == OPERATION;
-        if slug == QUICK_STOP {
+        // Nor does anybody come into operation behind "disable" by what stands in the control word then.
+        if slug == QUICK_STOP || (self.works && self.commands(Relief::Disable)) {
             self.sight.brakes();
         }
         self.sight.state(on);

@@ -1,6 +1,7 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
 use super::look::raw;
+use super::relief::unanswered;
 use super::still::{QUICK_STOP, STOPPED, never_powered};
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
@@ -55,7 +56,13 @@ impl Motor<'_, '_> {
         }
         self.comes_to("stopping", None);
         let begun = self.begin_to_stop(choice, because == "interrupted");
-        let (mut way, mut tries, mut hurry, mut again) = (choice, 1, false, true);
+        // Who has pressed more than once before it was his turn is not put off with the first.
+        let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
+        let mut hurry = way != choice;
+        if hurry {
+            self.tell_stronger(choice, way, true);
+            stop.escalated = Some(way.slug());
+        }
         loop {
             if self.lever == Lever::Contacts && way == StopChoice::QuickStop {
                 way = self.no_quick_stop();
@@ -70,10 +77,11 @@ impl Motor<'_, '_> {
                 // The same stop again, by what is obeyed now.
                 (Class::Forbidden, _) if self.lever == Lever::ControlWord && self.was_taken().await => tries = 0,
                 (Class::Interrupted | Class::Forbidden | Class::Refused, Some(next)) => {
+                    self.session.note_interrupts();
+                    let next = next.stronger_by(self.fresh_presses().saturating_sub(1));
                     if failure.class == Class::Interrupted {
                         (hurry, stop.because) = (true, "interrupted");
                     }
-                    self.session.note_interrupts();
                     self.tell_stronger(way, next, failure.class == Class::Interrupted);
                     (way, tries) = (next, 0);
                     stop.escalated = Some(next.slug());
@@ -146,6 +154,7 @@ impl Motor<'_, '_> {
         self.shown = None;
         self.sight.forget();
         self.session.insist(true);
+        self.session.warns(unanswered());
         let begun = self.session.now();
         (self.heard, self.unheard) = (begun, false);
         if self.relieving.is_none() {

@@ -32,7 +32,6 @@ fn who_says_things_twice_costs_no_other_one_his_proof() {
                     assert!(address != "8" || seen.0 != Some(false), "{told}");
                 }
                 // It began after a second, and has what the help promises of one drive.
-                println!("{by} {verb} {order} {}", took(&run.err));
                 assert!(took(&run.err) < 21_000.0, "{told}");
             }
         }

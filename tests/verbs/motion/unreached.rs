@@ -46,3 +46,54 @@ fn a_long_time_out_makes_no_stop_longer() {
         assert_eq!(run.exit, 4, "{named} {verb}: {}", run.err);
     }
 }
+
+/// When it was said that nobody answers the stop, in ms since its first word behind the last answer.
+fn said(err: &str, word: &str) -> Vec<f64> {
+    let (mut at, mut first, mut said) = (0.0, None, Vec::new());
+    for line in err.lines() {
+        if line.contains(" ms < ") {
+            first = None;
+        }
+        if let Some((ms, hex)) = line.split_once(" ms > ") {
+            at = ms.trim().parse::<f64>().unwrap();
+            first = first.or(hex.starts_with(word).then_some(at));
+        }
+        if line.starts_with("note: THE SHAFT MAY STILL TURN") {
+            said.push(at - first.unwrap());
+        }
+    }
+    said
+}
+
+/// P.410 and P.484.
+const WORDS: [&str; 4] = ["01 06 01 9A", "01 06 01 9A", "01 06 01 9A", "01 65 01 E4"];
+
+#[test]
+fn that_nobody_answers_a_stop_is_said_once_while_it_is_sent() {
+    let silent = format!("{ACU}[[drive.event]]\nat = \"0s\"\nsilent = \"600s\"\n");
+    for timeout in ["", "--timeout 5s"] {
+        for named in ["--drive acu", ""] {
+            for (verb, word) in VERBS.into_iter().zip(WORDS) {
+                let run = antrieb(&format!("-v {timeout} {named} -a 1 {verb}")).on(&silent).run();
+                let said = said(&run.err, word);
+                assert!(matches!(said[..], [at] if at < 3_200.0), "{timeout} {named} {verb}: {said:?}\n{}", run.err);
+                assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{}", run.err);
+            }
+        }
+    }
+    let dies = format!("{ACU}[[drive.event]]\nafter_telegrams = 60\nsilent = \"600s\"\n").replace("= 15", "= 0");
+    let run = antrieb("-v -a 1 --drive acu sollwert 10Hz --enable --hold --duration 30s --yes").on(&dies).run();
+    assert!(matches!(said(&run.err, "01 65 01 E4 00 00 00 00")[..], [at] if at < 3_200.0), "{}", run.err);
+}
+
+#[test]
+fn of_a_stop_that_is_answered_in_the_end_nothing_of_the_kind_is_said() {
+    let late = |ms: u32| ACU.replace("set =", &format!("reply_delay = \"{ms}ms\"\nset ="));
+    let lossy = format!("{ACU}[[disturb]]\nevery = 3\nkind = \"lost\"\n");
+    for bench in [late(10), late(450), lossy] {
+        for verb in VERBS {
+            let run = antrieb(&format!("-v -a 1 {verb}")).on(&bench).run();
+            assert!(!run.err.contains("note: THE SHAFT"), "{verb}: {}", run.err);
+        }
+    }
+}

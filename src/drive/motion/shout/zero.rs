@@ -1,6 +1,7 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
+use super::super::relief::unanswered;
 use super::{
     BRIEF, PAUSE, SHORT, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed, unless_interrupted,
 };
@@ -149,6 +150,7 @@ async fn repeat(
     slow: bool,
 ) -> Result<bool, AccessError> {
     let (limits, patient) = (session.limits(), session.patient());
+    session.warns(unanswered());
     let (mut refused, mut interrupted) = (false, false);
     for round in 0..TIMES {
         let waits = if slow || round == 1 { patient.reply_timeout } else { SHORT };

@@ -32,7 +32,8 @@ impl Sight {
         (self.on, self.zero, self.early) = (on, false, false);
     }
 
-    /// The state is a quick stop: no drive enters it but out of operation, so it had power all the time since it was told to stop.
+    /// The state is a quick stop, or still operation behind an acknowledged "disable": no drive enters these but out of operation, so it had
+    /// power all the time since it was told to stop.
     pub(in super::super) fn brakes(&mut self) {
         self.held |= self.early;
     }

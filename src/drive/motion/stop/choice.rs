@@ -30,6 +30,11 @@ impl StopChoice {
         all.into_iter().find(|choice| choice.slug() == slug).unwrap_or(StopChoice::Coast)
     }
 
+    /// The same, made stronger so often, as far as that goes.
+    pub(in crate::drive::motion) fn stronger_by(self, times: u32) -> StopChoice {
+        (0..times).try_fold(self, |way, _| way.stronger().ok_or(way)).unwrap_or_else(|strongest| strongest)
+    }
+
     /// What is left where this one does not do, or somebody cannot wait for it.
     pub(in crate::drive::motion) fn stronger(self) -> Option<StopChoice> {
         match self {

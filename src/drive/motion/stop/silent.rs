@@ -23,6 +23,12 @@ impl Motor<'_, '_> {
         }
     }
 
+    /// How often somebody has pressed since this was asked last.
+    pub(super) fn fresh_presses(&mut self) -> u32 {
+        let presses = self.session.presses();
+        presses.saturating_sub(std::mem::replace(&mut self.heeded, presses))
+    }
+
     /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.
     pub(super) fn hurries(&mut self) {
         self.session.note_interrupts();
