@@ -280,8 +280,8 @@ impl Giving<'_> {
         plan.details.extend(wanted.start.as_ref().and_then(|start| start.note.clone()));
         let needs_control = enable && !motion.take_control;
         let mut check = Check { args, session, target, before };
-        let wanted = check.run(wanted, enable, needs_control).await?;
-        plan.promises.extend(wanted.promise.clone());
+        let (wanted, promise) = check.run(wanted, enable, needs_control).await?;
+        plan.promises.extend(promise);
         plan.sets.extend(wanted.settings.iter().cloned());
         plan.announce = announce(&wanted, &target.family, enable);
         plan.details.extend(wanted.told_keys(&target.family));

@@ -8,7 +8,7 @@ use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline, target_to_change, terms};
 use crate::args::{Takes, below_zero};
 use crate::drive::job::{self, Job, Step};
-use crate::drive::motion::present;
+use crate::drive::motion::{foreseen, present};
 use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Hazard, Permit, Writes, Writing};
@@ -163,6 +163,8 @@ pub(super) async fn permit(
             let is_start = |role| job.steps.iter().any(|step| Some(&step.param) == family.role(role));
             let starts = is_start("control-word") || is_start("control-mode");
             question.details.extend(present(session, &mut job.target, starts).await);
+            let coming: Vec<_> = job.steps.iter().map(|step| (&step.param, step.set, step.raw)).collect();
+            question.details.extend(foreseen(session, &mut job.target, &coming).await.unwrap_or_default());
         }
     }
     let permit = asking::on_line(session, ask, &question).await?;

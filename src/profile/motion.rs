@@ -387,7 +387,7 @@ impl Mode {
     }
 
     /// Every parameter that it names.
-    pub(super) fn params(&self) -> impl Iterator<Item = u32> + '_ {
+    pub fn params(&self) -> impl Iterator<Item = u32> + '_ {
         let single = [Some(self.setpoint), self.denominator, self.limit, self.source.as_ref().map(|row| row.param)];
         let engage = self.engage.iter().map(|row| row.param);
         let adds = self.adds.iter().flat_map(|row| [row.param, row.by]);

@@ -1,9 +1,9 @@
 //! Holding a setpoint against what the drive says.
 
-use super::wanted::{Total, Wanted, out_of_range};
+use super::wanted::{Wanted, out_of_range};
 use super::{Args, in_hertz};
 use crate::args::StopArg;
-use crate::drive::motion::{Own, Promise, Situation, in_fault, may_change_mode, no_control, role_raw, working};
+use crate::drive::motion::{Own, Promise, Situation, Total, in_fault, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -20,12 +20,13 @@ pub(super) struct Check<'c, 's> {
 }
 
 impl Check<'_, '_> {
+    /// Also what of the drive's own settings that rests on.
     pub(super) async fn run(
         &mut self,
         mut wanted: Wanted,
         enable: bool,
         needs_control: bool,
-    ) -> Result<Wanted, Failure> {
+    ) -> Result<(Wanted, Option<Promise>), Failure> {
         if enable && let Some(failure) = in_fault(self.before, &self.target.family) {
             return Err(failure);
         }
@@ -63,8 +64,9 @@ impl Check<'_, '_> {
         let least = self.floor(&wanted, own);
         self.tells_unknown(&promise);
         wanted.effective = added.map(|added| Total { added, limit, least });
-        wanted.promise = Some(promise).filter(|_| wanted.mode.source.is_some());
-        Ok(wanted)
+        let promise = Some(promise).filter(|_| wanted.mode.source.is_some());
+        wanted.least = promise.as_ref().and_then(|promise| promise.own.least);
+        Ok((wanted, promise))
     }
 
     /// What cannot be read may bend the setpoint all the same; told.

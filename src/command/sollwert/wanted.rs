@@ -5,7 +5,7 @@ use super::keys::Keys;
 use super::unit::{modes, unit_mode};
 use crate::args::parse_span;
 use crate::command::stop_meant;
-use crate::drive::motion::Promise;
+use crate::drive::motion::Total;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Decimal, RunKeys};
@@ -112,47 +112,16 @@ pub(super) struct Wanted {
     pub(super) settings: Vec<(Param, i64)>,
     /// What the drive makes of the setpoint, if that is known.
     pub(super) effective: Option<Total>,
-    /// What of the drive's own settings that rests on.
-    pub(super) promise: Option<Promise>,
+    /// The least that the drive lifts a setpoint to, whatever is given.
+    pub(super) least: Option<i64>,
     /// What the arrows of the keypad do.
     pub(super) keys: Option<Keys>,
-}
-
-/// What a drive makes of a setpoint by its own settings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Total {
-    /// Setpoint of its own that it adds.
-    pub(super) added: i64,
-    /// Bound in both directions.
-    pub(super) limit: Option<i64>,
-    /// Least magnitude, to which the drive lifts what is smaller.
-    pub(super) least: Option<i64>,
-}
-
-impl Total {
-    pub(super) fn of(self, raw: i64) -> Option<i64> {
-        let limit = self.limit.unwrap_or(i64::MAX).max(0);
-        self.sum(raw).map(|sum| match self.least {
-            Some(least) if sum.abs() < least => least * if sum < 0 { -1 } else { 1 },
-            _ => sum.clamp(-limit, limit),
-        })
-    }
-
-    /// Whether the drive will run at another value than what it is told and what it adds.
-    pub(super) fn bends(self, raw: i64) -> bool {
-        self.of(raw) != self.sum(raw)
-    }
-
-    fn sum(self, raw: i64) -> Option<i64> {
-        raw.checked_add(self.added)
-    }
 }
 
 impl Wanted {
     /// Whether the drive would turn its shaft at a setpoint of 0, as far as its own settings tell.
     pub(super) fn turns_at_zero(&self) -> bool {
-        self.promise.as_ref().is_some_and(|Promise { own, .. }| own.least.is_some_and(|least| least > 0))
-            || self.effective.is_some_and(|total| total.of(0) != Some(0))
+        self.least.is_some_and(|least| least > 0) || self.effective.is_some_and(|total| total.of(0) != Some(0))
     }
 
     /// Every setpoint that may be given: those of the schedule, and the bounds of the keypad.
@@ -256,7 +225,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
         start: start(args, mode)?,
         settings,
         effective: None,
-        promise: None,
+        least: None,
         schedule,
         mode: mode.clone(),
     };

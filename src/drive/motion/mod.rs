@@ -7,6 +7,7 @@
 use super::describe;
 mod before;
 mod changes;
+mod foreseen;
 mod held;
 mod lacking;
 mod leave;
@@ -28,12 +29,13 @@ mod watched;
 pub use super::route::Meant;
 pub use before::{Standing, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows};
 pub use changes::would_change;
+pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, turns, watchdog_raw, watchdog_seconds, working,
     working_raw,
 };
-pub use own::{Course, Own, Promise, demand_as_shown};
+pub use own::{Course, Own, Promise, Total, demand_as_shown};
 pub use relief::{PROOF, may_turn};
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};

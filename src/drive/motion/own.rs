@@ -86,6 +86,37 @@ fn wavers(value: i64) -> u64 {
     (value.unsigned_abs() / WAVERS).max(WAVERS_RAW)
 }
 
+/// What a drive makes of a setpoint by its own settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Total {
+    /// Setpoint of its own that it adds.
+    pub added: i64,
+    /// Bound in both directions.
+    pub limit: Option<i64>,
+    /// Least magnitude, to which the drive lifts what is smaller.
+    pub least: Option<i64>,
+}
+
+impl Total {
+    /// What it runs at, told this; `None` if that cannot be reckoned.
+    pub fn of(self, raw: i64) -> Option<i64> {
+        let limit = self.limit.unwrap_or(i64::MAX).max(0);
+        self.sum(raw).map(|sum| match self.least {
+            Some(least) if sum.abs() < least => least * if sum < 0 { -1 } else { 1 },
+            _ => sum.clamp(-limit, limit),
+        })
+    }
+
+    /// Whether the drive will run at another value than what it is told and what it adds.
+    pub fn bends(self, raw: i64) -> bool {
+        self.of(raw) != self.sum(raw)
+    }
+
+    fn sum(self, raw: i64) -> Option<i64> {
+        raw.checked_add(self.added)
+    }
+}
+
 /// What somebody was shown of a drive's own settings and agreed to.
 #[derive(Clone, Debug)]
 pub struct Promise {

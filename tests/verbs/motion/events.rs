@@ -266,6 +266,32 @@ fn a_write_that_can_move_a_shaft_names_the_state_it_meets() {
     assert!(!quiet.err.contains("now in"), "{}", quiet.err);
 }
 
+/// And what it will run at behind that, by its source, its limits and the data set that is in use then.
+#[test]
+fn a_write_that_changes_what_a_drive_runs_at_names_it() {
+    let set =
+        "\"412\" = 1, \"414\" = 1, \"434\" = 2, \"434@2\" = 3, \"434@3\" = 2, \"228\" = -30, \"484\" = 10, \"418\" = 0";
+    for (verb, runs_at) in [
+        ("write 484=-20Hz", "it runs at -20.00 Hz when it is enabled (P.434 = 2)"),
+        ("write 434@ram=3", "it runs at -20.00 Hz when it is enabled (P.434 = 3)"),
+        ("write 434@ram=1", "it runs at -30.00 Hz when it is enabled (P.434 = 1)"),
+        ("write 418@ram=20Hz", "it runs at 20.00 Hz when it is enabled (P.434 = 2)"),
+        ("write 434@3ram=1", "it runs at 10.00 Hz when it is enabled (P.434 = 2)"),
+        ("write 419@ram=5Hz", "it runs at 5.00 Hz when it is enabled (P.434 = 2)"),
+        ("write 414@ram=2", "what it runs at behind that is not told before (P.434 = 3)"),
+        ("dataset select 3 --ram", "it runs at 10.00 Hz when it is enabled (P.434 = 2)"),
+        ("dataset select 0 --ram", "the digital inputs select the data set then"),
+    ] {
+        for state in [15, 0] {
+            let bench = drive(&format!("{set}, \"410\" = {state}"), "");
+            let run = antrieb(&format!("-b 115200 -a 1 {verb}")).on(&bench).answered("n").exits(8);
+            assert!(run.err.contains(runs_at), "{state} {verb}: {}", run.err);
+        }
+    }
+    let german = antrieb("--lang de -b 115200 -a 1 write 484=-20Hz").on(&drive(RUNNING, "")).answered("n").exits(8);
+    assert!(german.err.contains("danach läuft er freigegeben mit -20.00 Hz"), "{}", german.err);
+}
+
 /// Of two drives with one address only one is told of at a time.
 #[test]
 fn where_one_question_was_answered_in_two_ways_a_stop_that_failed_tells_no_state() {
@@ -276,6 +302,11 @@ fn where_one_question_was_answered_in_two_ways_a_stop_that_failed_tells_no_state
             let bench = drive(&set, &format!("[[disturb]]\nevery = 1\nkind = \"twin\"\nby = \"{by}ms\"\n"));
             for verb in ["quick-stop", "disable"] {
                 let run = antrieb(&format!("-b 115200 -a 1 statemachine {verb}")).on(&bench).json();
+                if run.exit == 0 {
+                    // What is proven is told.
+                    assert_eq!(run.data("/running"), &json!(false), "{mode} {by} {verb}: {}", run.err);
+                    assert!(run.value.pointer("/data/to").is_some_and(|to| !to.is_null()), "{}", run.err);
+                }
                 if run.exit == 0 || !run.err.contains("answered in two ways") {
                     continue;
                 }

@@ -83,7 +83,7 @@ fn that_nobody_answers_a_stop_is_said_once_while_it_is_sent() {
     }
     let dies = format!("{ACU}[[drive.event]]\nafter_telegrams = 60\nsilent = \"600s\"\n").replace("= 15", "= 0");
     let run = antrieb("-v -a 1 --drive acu sollwert 10Hz --enable --hold --duration 30s --yes").on(&dies).run();
-    assert!(matches!(said(&run.err, "01 65 01 E4 00 00 00 00")[..], [at] if at < 3_200.0), "{}", run.err);
+    assert!(matches!(said(&run.err, "01 06 01 9A 00 07")[..], [at] if at < 3_200.0), "{}", run.err);
 }
 
 #[test]

@@ -25,7 +25,7 @@ fn asks(line: &str, bench: &str) -> bool {
 #[test]
 fn a_value_that_can_only_take_motion_away_is_written_without_a_question() {
     let idle = inverter(1, 3, -10).replace("\"410\" = 15", "\"410\" = 0");
-    let servo = "[[drive]]\nmodel = \"lxm05\"\nset = { PVn_target = 600, DCOMcontrol = 6 }\n";
+    let servo = "[[drive]]\nmodel = \"lxm05\"\nset = { PVn_target = 600 }\n";
     for (told, bench, values, asked) in [
         // Transition 7, 9 or 10; as contacts all open.
         ("commands", &inverter(1, 2, 0), "410=0", false),
@@ -52,13 +52,9 @@ fn a_value_that_can_only_take_motion_away_is_written_without_a_question() {
         let line = format!("-b 115200 -a 1 --drive acu write {values}");
         assert_eq!(asks(&line, bench), asked, "{told}: {values}");
     }
-    for (values, asked) in [
-        ("DCOMcontrol=0", false),
-        ("DCOMcontrol=2", false),
-        ("DCOMcontrol=15", true),
-        ("PVn_target=0", false),
-        ("PVn_target=100", true),
-    ] {
+    for (values, asked) in
+        [("DCOMcontrol=2", false), ("DCOMcontrol=15", true), ("PVn_target=0", false), ("PVn_target=100", true)]
+    {
         assert_eq!(asks(&format!("-a 1 --drive lxm05 write {values}"), servo), asked, "{values}");
     }
     // Nobody has looked what else is there.
