@@ -2207,43 +2207,45 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l trace -d 'Record the line to a new file' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s v -l verbose -d 'Show settings and telegrams, on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l force -d 'Replace the file of --trace if it exists'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -l yes -d 'Answer the safety question with yes'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "apply" -d 'Write a plan into its drives, with one question'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "plan" -d 'Check a plan and show what becomes of it'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "load" -d 'What PDOs cost the bus'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "show" -d 'How drives are set to the bus'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply plan load show check" -f -a "check" -d 'Is a plan in its drives? 1 if a value differs'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "apply" -d 'Write a plan into its drives, with one question'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "nmt" -d 'Start or stop the exchange of PDOs, reset nodes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "plan" -d 'Check a plan and show what becomes of it'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "load" -d 'What PDOs cost the bus'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "show" -d 'How drives are set to the bus'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "check" -d 'Is a plan in its drives? 1 if a value differs'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -f -a "monitor" -d 'Watch the bus. Never sends'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -2276,6 +2278,39 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l node -d 'The node that is told, 1 to 63 [default: all]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l dcf -d 'Write a DCF for each drive into this directory' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l svg -d 'Write a picture: drives, PDOs, sources' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
@@ -2371,6 +2406,30 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l duration -l for -d 'End after this time' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'

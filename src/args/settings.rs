@@ -215,6 +215,11 @@ impl Settings {
         matches!(self.format, Format::Json | Format::Csv)
     }
 
+    /// Whether the output is a record for each thing that happens, for programs.
+    pub fn is_for_each(&self) -> bool {
+        self.format == Format::Ndjson
+    }
+
     /// Whether the output is one JSON document.
     pub fn is_json(&self) -> bool {
         self.format == Format::Json

@@ -48,6 +48,12 @@ impl Takes {
         silent: &["timeout", "retries", "yes"],
         refused: &[],
     };
+    /// Listens on a CAN bus, which has no characters.
+    pub const HEARS: Takes = Takes {
+        first: &["port", "baud", "protocol", "drive", "format", "lang", "trace"],
+        silent: &["timeout", "retries", "yes"],
+        refused: &[&["parity", "stop_bits", "data_bits", "address", "word_order"]],
+    };
     /// Explains what is on a line, without one.
     pub const EXPLAINS: Takes = Takes {
         first: &["protocol", "drive", "word_order", "format", "lang", "catalogue"],

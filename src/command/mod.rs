@@ -122,6 +122,33 @@ async fn connect<'a>(
     open(&port, settings, registry, interrupt, observe).await
 }
 
+/// The same, to listen only where it is a CAN bus.
+async fn listen<'a>(
+    settings: &Settings,
+    registry: &Registry,
+    interrupt: &Interrupt,
+    observe: &'a mut dyn FnMut(Event),
+) -> Result<Session<'a>, Failure> {
+    settings.check_one_line()?;
+    let port = open_port(settings.port.as_ref(), observe)?;
+    Session::open(Opening { listens: true, ..opening(&port, settings) }, registry, interrupt.clone(), observe).await
+}
+
+/// How the settings say that a line is opened.
+fn opening<'s>(port: &'s Port, settings: &'s Settings) -> Opening<'s> {
+    Opening {
+        port,
+        line: settings.line,
+        rs485: settings.rs485,
+        protocol: settings.protocol,
+        timeout: settings.timeout,
+        retries: settings.retries,
+        trace: settings.trace.as_deref().map(|path| Recording { path, overwrite: settings.force }),
+        verbose: settings.verbose,
+        listens: false,
+    }
+}
+
 /// Opens one of the lines that the settings name.
 async fn open<'a>(
     port: &Port,
@@ -133,16 +160,7 @@ async fn open<'a>(
     if let Some(name) = settings.drive.as_deref() {
         reachable(&*named_family(settings, registry, name)?)?;
     }
-    let opening = Opening {
-        port,
-        line: settings.line,
-        rs485: settings.rs485,
-        protocol: settings.protocol,
-        timeout: settings.timeout,
-        retries: settings.retries,
-        trace: settings.trace.as_deref().map(|path| Recording { path, overwrite: settings.force }),
-        verbose: settings.verbose,
-    };
+    let opening = opening(port, settings);
     if settings.verbose {
         observe(Event::Note(settings.told()));
     }

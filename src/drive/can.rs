@@ -1,12 +1,12 @@
 //! A CAN bus as a line of a session: the channel of an adapter is opened, the bus is listened to, and what would disturb others ends it
 //! before anything is sent.
 
-mod trouble;
+pub(super) mod trouble;
 
 use super::interrupt::Interrupt;
 use super::pump;
 use super::{AccessError, Opening};
-use crate::exchange::can::{Channel, Opened, Opening as Conversation, Traffic};
+use crate::exchange::can::{Channel, Ear, Opened, Opening as Conversation, Overheard, Traffic};
 use crate::failure::Failure;
 use crate::outcome::Event;
 use crate::protocol::can::SdoChannel;
@@ -37,6 +37,27 @@ pub(super) async fn open(
     link.put_between(Box::new(Channel::new(channel, heard.clone())));
     Ok(heard)
 }
+
+/// Opens the bus behind an adapter to listen only.
+pub(super) async fn listen(
+    link: &mut Link,
+    opening: &Opening<'_>,
+    interrupt: &Interrupt,
+    observe: &mut dyn FnMut(Event),
+) -> Result<Ears, Failure> {
+    let (port, bit_rate) = (opening.port.to_string(), opening.line.baud);
+    let rate = number(bit_rate).ok_or_else(|| trouble::bit_rate(bit_rate))?;
+    let opened = pump::run(&mut Conversation::listening(rate), link, interrupt, None).await;
+    let opened = opened.map_err(|error| AccessError::from(error).failure(0, None))?;
+    let opened = opened.map_err(|why| trouble::unopened(&port, bit_rate, &why))?;
+    notes(&port, &opened).into_iter().for_each(|note| observe(Event::Note(note)));
+    let overheard = Ears::default();
+    link.put_between(Box::new(Ear::new(overheard.clone())));
+    Ok(overheard)
+}
+
+/// What is heard where nobody is asked.
+pub(super) type Ears = Rc<RefCell<Overheard>>;
 
 /// What is heard on a bus, from before the first question on.
 pub(super) type Heard = Rc<RefCell<Traffic>>;
@@ -92,6 +113,24 @@ fn forbidden(traffic: &Traffic, channel: SdoChannel) -> Option<Failure> {
         SdoChannel::Two if traffic.asks(channel) => Some(trouble::other_tool()),
         SdoChannel::One if traffic.asks(channel) || traffic.has_master => Some(trouble::other_master()),
         _ => None,
+    }
+}
+
+impl Between for Ear {
+    fn put(&mut self, _telegram: &[u8]) -> Vec<u8> {
+        Ear::asks()
+    }
+
+    fn take(&mut self, said: &[u8]) -> Vec<u8> {
+        Ear::take(self, said)
+    }
+
+    fn ailing(&mut self) -> Option<Ailing> {
+        None
+    }
+
+    fn farewell(&self) -> &'static [u8] {
+        Channel::farewell()
     }
 }
 

@@ -6,6 +6,8 @@
 mod access;
 mod account;
 pub mod bench;
+mod bus_order;
+mod bus_watch;
 mod can;
 pub mod decode;
 mod demand;
@@ -43,6 +45,8 @@ mod watch;
 mod write;
 
 pub use access::{AccessError, Refusal};
+pub use bus_order::BusOrder;
+pub use bus_watch::{Awaited, BusWatch, watch_bus};
 pub use diag::{clear_counters, counters, harmless, last_refusal, link_test};
 pub use interrupt::Interrupt;
 pub use line_check::check_line;

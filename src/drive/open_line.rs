@@ -71,6 +71,14 @@ impl<'a> OpenLine<'a> {
         outcome
     }
 
+    /// Says something that nobody answers.
+    pub(super) async fn say(&mut self, telegram: &[u8]) -> Result<(), PumpError> {
+        self.link.send(telegram).await?;
+        let said = Record { at: self.link.now(), verdict: Verdict::Request, bytes: telegram.to_vec() };
+        self.account.show(self.master.protocol(), &[said], None);
+        Ok(())
+    }
+
     /// Waits without asking anything.
     pub(super) async fn rest(&mut self, until: Tick, interrupt: &Interrupt) -> Result<(), PumpError> {
         pump::rest(&mut self.master, &mut self.link, interrupt, until).await

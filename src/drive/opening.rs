@@ -37,6 +37,8 @@ pub struct Opening<'a> {
     pub trace: Option<Recording<'a>>,
     /// Whether every telegram is told as an event.
     pub verbose: bool,
+    /// Whether a CAN bus is only listened to: then nobody can be asked.
+    pub listens: bool,
 }
 
 /// Where a line is recorded to.
@@ -72,6 +74,7 @@ impl<'a> Opening<'a> {
             retries: None,
             trace: None,
             verbose: false,
+            listens: false,
         }
     }
 }

@@ -29,6 +29,7 @@ use std::rc::Rc;
 mod beside;
 mod blurting;
 mod keeping;
+mod on_bus;
 mod unanswered;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
@@ -68,6 +69,8 @@ pub struct Session<'a> {
     warns: Option<unanswered::Warns>,
     /// What is heard on a CAN bus, whomever it is for.
     heard: Option<can::Heard>,
+    /// The same, where nobody is asked.
+    ears: Option<can::Ears>,
 }
 
 impl std::fmt::Debug for Session<'_> {
@@ -102,8 +105,14 @@ impl<'a> Session<'a> {
         for deviation in link.deviations() {
             observe(Event::Note(both!("{port}: {deviation}", "{port}: {deviation}", deviation)));
         }
+        let ears = match protocol {
+            Protocol::Sdo(_) if opening.listens => Some(can::listen(&mut link, &opening, &interrupt, observe).await?),
+            _ => None,
+        };
         let heard = match protocol {
-            Protocol::Sdo(channel) => Some(can::open(&mut link, &opening, channel, &interrupt, observe).await?),
+            Protocol::Sdo(channel) if ears.is_none() => {
+                Some(can::open(&mut link, &opening, channel, &interrupt, observe).await?)
+            }
             _ => None,
         };
         let wired = is_wired(port) && !line.is_can();
@@ -111,7 +120,7 @@ impl<'a> Session<'a> {
         master.set_wired(wired);
         let line = OpenLine::new(link, master, Account::new(observe, verbose));
         let session = Session::on(port, Rc::new(RefCell::new(line)), (limits, interrupt));
-        Ok(Session { heard, ..session })
+        Ok(Session { heard, ears, ..session })
     }
 
     /// A conversation of its own on a line.
@@ -132,6 +141,7 @@ impl<'a> Session<'a> {
             unanswered: None,
             warns: None,
             heard: None,
+            ears: None,
         }
     }
 

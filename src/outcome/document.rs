@@ -1,8 +1,8 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
 use super::{
-    BusLoad, BusPlan, BusShow, Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Plant, PlantCheck,
-    Procedure, Procedures, Read, Record, Stops, Warning, Write,
+    BusLoad, BusMonitor, BusOrders, BusPlan, BusShow, Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, Plan,
+    Plant, PlantCheck, Procedure, Procedures, Read, Record, Stops, Warning, Write,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -137,6 +137,10 @@ pub enum OrBus {
     Load(BusLoad),
     /// What drives are set to.
     Show(BusShow),
+    /// What was heard.
+    Monitor(Box<BusMonitor>),
+    /// What nodes were told.
+    Orders(BusOrders),
     /// What drives have and the plan wants.
     Check(PlantCheck),
     /// What became of a plan in its drives.

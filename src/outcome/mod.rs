@@ -3,6 +3,7 @@
 //! The shapes here are the contract with scripts ([`SCHEMA_VERSION`]); `antrieb schema` prints them. Texts are in the
 //! language that the user chose; numbers, slugs and codes are the same in every language.
 
+mod bus_watch;
 mod document;
 mod errors;
 mod found;
@@ -22,6 +23,7 @@ mod systembus;
 mod transfer;
 mod value;
 
+pub use bus_watch::{BusMonitor, BusOrdered, BusOrders, HeardEmergency, HeardOnBus, HeardPlace, HeardTaker};
 pub use document::{
     Document, Envelope, OrBus, OrLine, OrListed, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
 };
@@ -190,6 +192,10 @@ pub enum Data {
     BusLoad(BusLoad),
     /// `systembus show`
     BusShow(BusShow),
+    /// `systembus monitor`, behind its stream
+    BusMonitor(Box<BusMonitor>),
+    /// `systembus nmt`
+    BusOrders(BusOrders),
     /// `monitor`, behind its stream
     Monitor(Monitor),
     /// `--dry-run` of a verb that reads

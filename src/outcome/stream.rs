@@ -1,6 +1,6 @@
 //! What `monitor`, `sniff`, a search for settings and a run that is held tell as it comes.
 
-use super::{Decimal, ErrorDoc, Fault, SearchNews, State, TelegramDoc, Value, Warning};
+use super::{BusMonitor, Decimal, ErrorDoc, Fault, SearchNews, State, TelegramDoc, Value, Warning};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -309,6 +309,8 @@ pub enum StreamSummary {
     Monitor(Monitor),
     /// `sniff`
     Sniff(SniffSummary),
+    /// `systembus monitor`
+    Bus(Box<BusMonitor>),
 }
 
 /// Result of `sniff`.

@@ -4,6 +4,7 @@
 //! This room knows plans, parameter numbers and source numbers. It knows no line: a plan becomes settings of drives
 //! ([`settings`]), which somebody else writes.
 
+mod carried;
 mod check;
 mod dcf;
 mod ends;
@@ -15,6 +16,7 @@ mod relations;
 mod settings;
 mod standing;
 
+pub use carried::{Carried, carried};
 pub use check::{Level, Remark, check};
 pub use dcf::{DcfError, dcf, from_dcf};
 pub use load::{Budget, Charge, Load, Rate, Verdict};

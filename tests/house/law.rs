@@ -99,6 +99,8 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
         &[
             "drive",
             "drive::account",
+            "drive::bus_order",
+            "drive::bus_watch",
             "drive::can",
             "drive::can::trouble",
             "drive::decode",
@@ -143,6 +145,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::scan::search",
             "drive::session",
             "drive::session::keeping",
+            "drive::session::on_bus",
             "drive::target",
             "drive::terms",
             "drive::transfer",

@@ -17,6 +17,7 @@ mod lexium;
 mod matrix;
 mod monitor;
 mod plotting;
+mod process_data;
 mod profibus;
 mod recording;
 mod reporting;

@@ -106,6 +106,15 @@ fn a_plan_goes_into_its_drives_over_the_bus_and_back() {
 }
 
 #[test]
+fn a_line_is_opened_once() {
+    for (verb, code) in [("check", 1), ("apply", 0)] {
+        let typed = format!("--protocol sdo --yes --trace {{dir}}/line.txt systembus {verb} {{dir}}/bus.toml drive-2");
+        let run = antrieb(&typed).on(&on_bus(&[(1, "")])).file("bus.toml", PLAN).exits(code);
+        assert_eq!(run.text_of("line.txt").matches("> 4F 0D").count(), 1, "{}", &run.text_of("line.txt")[..400]);
+    }
+}
+
+#[test]
 fn all_drives_get_it_or_none() {
     let plan =
         PLAN.replace("node = 0 ", "node = 3 ").replace("boot-up-delay = 3500\nemergency-reaction = \"fault\"\n", "");

@@ -30,7 +30,7 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>, addresses: 
         of_drive(args, context, address, name)
     });
     let wanted = wanted.collect::<Result<Vec<_>, _>>()?;
-    apply::write(context, &wanted, false).await
+    apply::write(context, wanted, false, async |_, wanted| Ok(wanted)).await
 }
 
 /// What one of the drives shall have.

@@ -54,21 +54,25 @@ impl Verb for Args {
 
 async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = wanted(context, &args.scope.choice())?;
-    write(context, &wanted, args.atomic).await
+    write(context, wanted, args.atomic, async |_, wanted| Ok(wanted)).await
 }
 
-/// Writes into these drives what is wanted of them; all or none of them if `atomic`.
+/// Writes into these drives what is wanted of them; all or none of them if `atomic`. What the open lines show may change before that
+/// what is wanted (`settle`).
 pub(in crate::command) async fn write(
     context: &mut Context<'_>,
-    wanted: &[Wanted],
+    wanted: Vec<Wanted>,
     atomic: bool,
+    settle: impl AsyncFnOnce(&mut [Line<'_>], Vec<Wanted>) -> Result<Vec<Wanted>, Failure>,
 ) -> Result<Outcome, Failure> {
-    must_choose(wanted)?;
+    must_choose(&wanted)?;
     if context.settings.dry_run {
-        return dry_run(context, wanted);
+        return dry_run(context, &wanted);
     }
     let together = Together { interrupt: context.interrupt.clone(), atomic, failed: Cell::new(false) };
-    on_lines(context, wanted, async |lines, ask| {
+    on_lines(context, wanted, async |lines, wanted, ask| {
+        let wanted = &settle(lines, wanted).await?;
+        lines.iter_mut().flat_map(|line| &mut line.members).zip(wanted).for_each(|(member, one)| one.gives(member));
         look(lines, Args::UPPER, &nothing_written()).await;
         leave_unsettled(wanted, lines);
         try_undo_files(lines);

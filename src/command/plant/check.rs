@@ -68,33 +68,37 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         );
         (context.observe)(Event::Note(note));
     }
-    hold(context, &wanted, &|values, names| drift(values, names, &args.picks.typed())).await
+    hold(context, wanted, async |_, wanted| Ok(wanted), &|values, names| drift(values, names, &args.picks.typed()))
+        .await
 }
 
 /// What to do where values differ: these, of which no load takes the first unless they are named, and so many others.
 type Hint<'h> = &'h dyn Fn(&BTreeSet<u32>, usize) -> Text;
 
-/// Holds these drives against what is wanted of them.
+/// Holds these drives against what is wanted of them. What the open lines show may change before that what is wanted (`settle`).
 pub(in crate::command) async fn hold(
     context: &mut Context<'_>,
-    wanted: &[Wanted],
+    wanted: Vec<Wanted>,
+    settle: impl AsyncFnOnce(&mut [Line<'_>], Vec<Wanted>) -> Result<Vec<Wanted>, Failure>,
     hint: Hint<'_>,
 ) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
-        return Ok(dry_run(wanted));
+        return Ok(dry_run(&wanted));
     }
-    let weighed = on_lines(context, wanted, async |lines, _| {
-        let mut rest = wanted;
+    let held = on_lines(context, wanted, async |lines, wanted, _| {
+        let wanted = settle(lines, wanted).await?;
+        let mut rest = wanted.as_slice();
         let mut works = Vec::new();
         for line in lines {
             let (own, others) = rest.split_at(line.members.len().min(rest.len()));
             rest = others;
             works.push(weigh(line, own));
         }
-        join_all(works).await
+        let weighed = join_all(works).await.into_iter().flatten().collect();
+        Ok::<_, Failure>((wanted, weighed))
     });
-    let weighed: Vec<Weighed> = weighed.await?.into_iter().flatten().collect();
-    Ok(report(project(wanted).unwrap_or_default(), wanted, weighed, hint))
+    let (wanted, weighed): (Vec<Wanted>, Vec<Weighed>) = held.await??;
+    Ok(report(project(&wanted).unwrap_or_default(), &wanted, weighed, hint))
 }
 
 /// Holds the drives of a line against their files, in turn.

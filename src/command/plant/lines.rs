@@ -86,6 +86,11 @@ impl Wanted {
         })
     }
 
+    /// What a drive shall have is this, now that it was seen.
+    pub(super) fn gives(&self, member: &mut Member<'_>) {
+        member.steps.clone_from(&self.steps);
+    }
+
     /// What to do where its undo file cannot be left.
     fn elsewhere(&self) -> Text {
         match self.said {
@@ -233,8 +238,8 @@ fn no_files(settings: &Settings, note: Text) -> Failure {
 /// Opens the lines of these drives, all at once, and works on them. The lines stand in the order of the drives.
 pub(in crate::command) async fn on_lines<R>(
     context: &mut Context<'_>,
-    wanted: &[Wanted],
-    work: impl AsyncFnOnce(&mut [Line<'_>], &mut dyn Ask) -> R,
+    wanted: Vec<Wanted>,
+    work: impl AsyncFnOnce(&mut [Line<'_>], Vec<Wanted>, &mut dyn Ask) -> R,
 ) -> Result<R, Failure> {
     let Context { registry, interrupt, observe, ask, .. } = context;
     let groups: Vec<&[Wanted]> = wanted.chunk_by(|one, other| one.place.line() == other.place.line()).collect();
@@ -255,7 +260,7 @@ pub(in crate::command) async fn on_lines<R>(
         async move { line(port, settings, members, (registry, interrupt), tell).await }
     });
     let mut lines = join_all(opened).await;
-    Ok(work(&mut lines, *ask).await)
+    Ok(work(&mut lines, wanted, *ask).await)
 }
 
 /// A line, open if it can be opened.

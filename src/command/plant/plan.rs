@@ -48,7 +48,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }
-    on_lines(context, &wanted, async |lines, _| {
+    on_lines(context, wanted, async |lines, wanted, _| {
         look(lines, Args::UPPER, &nothing_to_come()).await;
         let told = told::plant(&wanted, lines, (false, LEFT_OUT));
         let failure = told.failure.map(|failure| if failure.code == NOT_YET { writes(failure, args) } else { failure });

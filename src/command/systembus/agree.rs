@@ -3,25 +3,30 @@
 use super::seated::Options;
 use crate::command::Context;
 use crate::command::plant::{apply, check};
+use crate::drive::plant::Line;
 use crate::failure::Failure;
 use crate::outcome::{Data, Outcome, Plant, Warning, WriteResult};
 use crate::text::both;
 
 /// Holds the drives against the plan.
 pub(super) async fn check(options: &Options, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let wanted = options.seated(context)?.wanted(context, false).await?;
+    let seated = options.seated(context)?;
+    let (wanted, settings) = (seated.listed(context.settings)?, context.settings);
     let file = options.file.display().to_string();
     let hint = both!(
         "`antrieb systembus apply {file}` writes what the plan says",
         "`antrieb systembus apply {file}` schreibt, was der Plan sagt"
     );
-    check::hold(context, &wanted, &|_, _| hint.clone()).await
+    let settle = async |lines: &mut [Line<'_>], _| seated.settled(lines, settings, false).await;
+    check::hold(context, wanted, settle, &|_, _| hint.clone()).await
 }
 
 /// Writes the plan into all of them, or none.
 pub(super) async fn apply(options: &Options, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let wanted = options.seated(context)?.wanted(context, true).await?;
-    let mut outcome = apply::write(context, &wanted, true).await?;
+    let seated = options.seated(context)?;
+    let (wanted, settings) = (seated.listed(context.settings)?, context.settings);
+    let settle = async |lines: &mut [Line<'_>], _| seated.settled(lines, settings, true).await;
+    let mut outcome = apply::write(context, wanted, true, settle).await?;
     if let Some(Data::Plant(plant)) = &outcome.data {
         outcome.warnings.extend(in_force(plant));
     }

@@ -2,12 +2,14 @@
 
 mod agree;
 mod load;
+mod monitor;
+mod nmt;
 mod plan;
 mod seated;
 mod show;
 
 use super::Context;
-use super::verb::{Verb, Working};
+use super::verb::{Flow, Verb, Working};
 use crate::args::Takes;
 use crate::drive::Upper;
 use crate::outcome::{Document, OrBus};
@@ -52,14 +54,31 @@ enum Action {
     /// counts the functions of its RxPDOs (P.936 to P.938) is seen where a 2 stands; else the plan must say (rx-functions). Over
     /// SDO the place of a drive on the bus (P.900, 903, 921 to 923) is not changed.
     Apply(seated::Options),
+    /// Watch the bus. Never sends
+    ///
+    /// Needs a CAN adapter, which listens only. With a plan PDOs have the names of their senders, and what stands in them its source and its takers; numbers
+    /// are raw, because no scale is printed. Told as it comes: network, boot-ups, emergencies, what is missing, and the first frame of
+    /// each identifier; --format ndjson has every frame. At the end a table, and the load. Ctrl-C is the usual end, with exit code 0.
+    Monitor(monitor::Options),
+    /// Start or stop the exchange of PDOs, reset nodes
+    ///
+    /// As master of the network; where another one is heard nothing is sent without --force. `start` and `reset` ask, because what PDOs bring can turn a
+    /// shaft. `stop` and `preop` are no stop of a shaft, and a master undoes them. What the nodes show behind it is the proof: P.978, the silence of a
+    /// stopped node, a boot-up.
+    Nmt(nmt::Options),
 }
 
 impl Verb for Args {
     const NAME: &'static str = "systembus";
     const SDO: bool = true;
     const TAKES: Takes = Takes::SYSTEM_BUS;
-    const PARTS: &'static [(&'static str, Takes)] =
-        &[("plan", Takes::BROWSES), ("load", Takes::BROWSES), ("show", Takes::READS), ("check", Takes::READS)];
+    const PARTS: &'static [(&'static str, Takes)] = &[
+        ("plan", Takes::BROWSES),
+        ("load", Takes::BROWSES),
+        ("show", Takes::READS),
+        ("check", Takes::READS),
+        ("monitor", Takes::HEARS),
+    ];
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb systembus plan bus.toml",
         "antrieb systembus plan bus.toml --dcf . --svg bus.svg",
@@ -68,9 +87,15 @@ impl Verb for Args {
         "antrieb --port sim --protocol sdo -a 1,2 systembus show",
         "antrieb --port sim --protocol sdo systembus check bus.toml drive-2",
         "antrieb --port sim --protocol sdo systembus apply bus.toml drive-2 --yes",
+        "antrieb -p slcan:/dev/ttyACM0 -b 500000 systembus monitor bus.toml",
+        "antrieb --port sim --protocol sdo systembus nmt start --node 1 --yes",
     ];
     const UPPER: Upper = Upper::drive(160).each(48, "parameter");
     type Prints = Document<OrBus>;
+
+    fn streams(&self) -> Option<Flow> {
+        matches!(self.action, Action::Monitor(_)).then_some(Flow::Telegrams { capture: None })
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         let alone = |part| context.settings.typed.unkept(Takes::BROWSES, part).map_or(Ok(()), Err);
@@ -86,6 +111,8 @@ impl Verb for Args {
             Action::Show => Box::pin(show::run(context)),
             Action::Check(options) => Box::pin(agree::check(options, context)),
             Action::Apply(options) => Box::pin(agree::apply(options, context)),
+            Action::Monitor(options) => Box::pin(monitor::run(options, context)),
+            Action::Nmt(options) => Box::pin(nmt::run(options, context)),
         }
     }
 }

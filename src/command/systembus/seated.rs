@@ -3,8 +3,9 @@
 use super::plan;
 use crate::args::{Place, Settings, in_directory, place};
 use crate::command::dataset::opened::Opened;
-use crate::command::plant::lines::{Said, Wanted, by_line, on_lines};
+use crate::command::plant::lines::{Said, Wanted, by_line};
 use crate::command::{Context, named_family, on_bus};
+use crate::drive::plant::Line;
 use crate::drive::transaction::{Choice, UndoPlace};
 use crate::drive::{PLACE_ON_BUS, Port, Reader, Session, Target, Upper, open_port};
 use crate::failure::{Class, Failure};
@@ -102,48 +103,37 @@ impl Options {
 const LAST: u8 = 247;
 
 impl Seated {
-    /// What each drive shall have; `writes` is whether that is to be written. What its drive shows decides what nobody else knows.
-    pub(super) async fn wanted(mut self, context: &mut Context<'_>, writes: bool) -> Result<Vec<Wanted>, Failure> {
-        let file = self.places.first().and_then(|(_, place)| place.files.first()).cloned().unwrap_or_default();
-        let wanted = self.list(&file, context.settings)?;
-        if context.settings.dry_run {
-            return Ok(wanted);
-        }
-        let looked = on_lines(context, &wanted, async |lines, _| {
-            let mut looked = Vec::new();
-            for line in lines {
-                for member in &line.members {
-                    let found = match &mut line.session {
-                        Some(session) => {
-                            session.allow(session.now(), QUESTIONS.questions(LOOKED.len() as u64));
-                            match member.identify(session).await {
-                                Ok(drive) => look(session, drive.target).await,
-                                Err(_) => BTreeMap::new(),
-                            }
-                        }
-                        None => BTreeMap::new(),
-                    };
-                    looked.push((member.name.clone(), found));
-                }
-            }
-            looked
-        });
+    /// The same on open lines: what a drive shows decides what nobody else knows. `writes` is whether it is to be written.
+    pub(super) async fn settled(
+        mut self,
+        lines: &mut [Line<'_>],
+        settings: &Settings,
+        writes: bool,
+    ) -> Result<Vec<Wanted>, Failure> {
         let mut unsettled = BTreeMap::new();
-        for (name, found) in looked.await? {
-            let Some(drive) = self.plan.drives.iter_mut().find(|drive| drive.name == name) else { continue };
-            let why = settle(drive, &found);
-            let own_line = writes && context.settings.is_can();
-            let why = why.or_else(|| cuts(&self.plan, &name, &found).filter(|_| own_line));
-            unsettled.extend(why.map(|why| (name, why)));
+        for line in lines {
+            let Some(session) = &mut line.session else { continue };
+            for member in &line.members {
+                session.allow(session.now(), QUESTIONS.questions(LOOKED.len() as u64));
+                let Ok(seen) = member.identify(session).await else { continue };
+                let found = look(session, seen.target).await;
+                let Some(drive) = self.plan.drives.iter_mut().find(|drive| drive.name == member.name) else { continue };
+                let why = settle(drive, &found);
+                let own_line = writes && settings.is_can();
+                let why = why.or_else(|| cuts(&self.plan, &member.name, &found).filter(|_| own_line));
+                unsettled.extend(why.map(|why| (member.name.clone(), why)));
+            }
         }
-        let mut wanted = self.list(&file, context.settings)?;
+        let mut wanted = self.listed(settings)?;
         for one in &mut wanted {
             one.unsettled = unsettled.remove(&one.place.name);
         }
         Ok(wanted)
     }
 
-    fn list(&self, file: &Path, settings: &Settings) -> Result<Vec<Wanted>, Failure> {
+    /// What each drive shall have, as far as that is known without asking.
+    pub(super) fn listed(&self, settings: &Settings) -> Result<Vec<Wanted>, Failure> {
+        let file = self.places.first().and_then(|(_, place)| place.files.first()).cloned().unwrap_or_default();
         let path = file.display().to_string();
         let mut list = Vec::new();
         for (index, place) in &self.places {
@@ -155,7 +145,7 @@ impl Seated {
             let opened = Opened::planned(&path, self.family.clone(), values, settings.lang);
             let (steps, left_out) = choice.steps(&opened.settings, &opened.family)?;
             let (place, said) = (place.clone(), Said::Plan(path.clone()));
-            let undo = UndoPlace::Beside(beside(&in_directory(settings, file), &drive.name));
+            let undo = UndoPlace::Beside(beside(&in_directory(settings, &file), &drive.name));
             list.push(Wanted { place, said, opened, steps, left_out, undo, unsettled: None });
         }
         by_line(settings, &mut list)?;

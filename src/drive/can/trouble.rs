@@ -16,7 +16,7 @@ pub(super) fn bit_rate(bit_rate: u32) -> Failure {
 }
 
 /// The channel was not opened.
-pub(super) fn unopened(port: &str, bit_rate: u32, why: &Unopened) -> Failure {
+pub(in crate::drive) fn unopened(port: &str, bit_rate: u32, why: &Unopened) -> Failure {
     let kbit = bit_rate / 1_000;
     match why {
         Unopened::NoAdapter(bytes) => Failure::new(
@@ -67,6 +67,20 @@ pub(super) fn unopened(port: &str, bit_rate: u32, why: &Unopened) -> Failure {
             "wahrscheinlich hat der Bus eine andere Bitrate (-b; P.903 jedes Umrichters), oder die Abschlüsse fehlen"
         )),
     }
+}
+
+/// Nothing was heard; the status flags of the adapter, if they tell of errors.
+pub(in crate::drive) fn unheard(port: &str, bit_rate: u32, flags: Option<u8>) -> Failure {
+    if let Some(flags) = flags {
+        return unopened(port, bit_rate, &Unopened::Errors(flags));
+    }
+    let kbit = bit_rate / 1_000;
+    let message =
+        both!("nothing was heard on {port} at {kbit} kbit/s", "auf {port} war mit {kbit} kbit/s nichts zu hören");
+    Failure::new(Class::Silence, "silence.nothing_heard", message).hint(both!(
+        "a bus where no node is Operational and no master beats the time is silent; `antrieb scan` asks the nodes",
+        "ein Bus, an dem kein Knoten Operational ist und kein Master den Takt gibt, ist still; `antrieb scan` fragt die Knoten"
+    ))
 }
 
 /// Somebody asks over SDO2.

@@ -15,7 +15,7 @@ use crate::protocol::can::emergency::Emergency;
 use crate::protocol::can::nmt::{Life, Order};
 use crate::protocol::can::pdo::{Kind, Pdo, Place};
 use crate::protocol::can::{
-    Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, Service, Telegram, slcan,
+    Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, Service, slcan, telegram_frame,
 };
 use crate::text::{Text, both};
 
@@ -86,8 +86,8 @@ impl Reader<'_> {
 
     /// A frame as a conversation over SDO has it.
     pub(super) fn sdo(&self, bytes: &[u8]) -> TelegramDoc {
-        match Telegram::decode(bytes) {
-            Some(telegram) => self.frame(&telegram.frame()),
+        match telegram_frame(bytes) {
+            Some(frame) => self.frame(&frame),
             None => document(Told::wrong("sdo", &names::eight_bytes()), None, crate::protocol::Hex(bytes).to_string()),
         }
     }
@@ -116,7 +116,7 @@ impl Reader<'_> {
     }
 
     /// A frame in words.
-    fn frame(&self, frame: &Frame) -> TelegramDoc {
+    pub(in crate::drive) fn frame(&self, frame: &Frame) -> TelegramDoc {
         let told = match (frame.identifier, &frame.body) {
             (Identifier::Extended(_), _) => Told::new(
                 "foreign",

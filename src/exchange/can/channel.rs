@@ -3,7 +3,7 @@
 use super::traffic::Traffic;
 use super::words::Words;
 use crate::protocol::can::slcan::Word;
-use crate::protocol::can::{SdoChannel, Service, Telegram};
+use crate::protocol::can::{SdoChannel, Service, Telegram, telegram_frame};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -31,17 +31,20 @@ impl Channel {
     }
 
     /// What the adapter is to be told so that a frame goes out. Where the one before it was not answered it is asked how the bus is,
-    /// too.
+    /// too. What is no SDO, such as a command to nodes, is answered by nobody.
     pub fn put(&mut self, telegram: &[u8]) -> Vec<u8> {
+        let frame = telegram_frame(telegram);
+        let is_answered = Telegram::decode(telegram).is_some();
         let mut told = String::new();
-        if self.unanswered > 0 {
+        if self.unanswered > 0 && is_answered {
             told += "F\r";
         }
-        if let Some(telegram) = Telegram::decode(telegram) {
-            let frame = Word::Frame { frame: telegram.frame(), at_ms: None };
-            told += &format!("{frame}\r");
+        if let Some(frame) = frame {
+            told += &format!("{}\r", Word::Frame { frame, at_ms: None });
         }
-        (self.unanswered, self.flags) = (self.unanswered.saturating_add(1), None);
+        if is_answered {
+            (self.unanswered, self.flags) = (self.unanswered.saturating_add(1), None);
+        }
         told.into_bytes()
     }
 

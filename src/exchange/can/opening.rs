@@ -56,6 +56,7 @@ pub enum Unopened {
 #[derive(Debug)]
 pub struct Opening {
     stages: VecDeque<Stage>,
+    only_listens: bool,
     /// What is under way: until when, and at the latest.
     until: Option<(Tick, Tick)>,
     /// What was said to what is told now.
@@ -86,7 +87,17 @@ impl Opening {
         ];
         let opened = Opened { traffic: Traffic::default(), version: None, acknowledged: false, is_mute: true };
         let (until, answer, words, end) = (None, None, Words::default(), None);
-        Opening { stages: stages.into(), until, answer, words, opened, end }
+        Opening { stages: stages.into(), only_listens: false, until, answer, words, opened, end }
+    }
+
+    /// The same, for who only listens: the channel stays as it is while the bus is listened to.
+    pub fn listening(rate: u8) -> Self {
+        let mut opening = Opening::new(rate);
+        let listens = |stage: &Stage| matches!(stage, Stage::Tell(Word::Listen));
+        let behind = opening.stages.iter().position(listens).map_or(0, |place| place + 1);
+        opening.stages.truncate(behind);
+        opening.only_listens = true;
+        opening
     }
 
     /// What is under way is over.
@@ -102,6 +113,7 @@ impl Opening {
             (Some(Stage::Tell(Word::Listen)), _) if is_refused => {
                 self.opened.acknowledged = true;
                 self.stages = [Stage::Tell(Word::Open), Stage::Listen, Stage::Tell(Word::Status)].into();
+                self.stages.truncate(if self.only_listens { 1 } else { 3 });
             }
             (Some(Stage::Tell(Word::Status)), Some(Word::Flags(flags)))
                 if self.opened.traffic.frames == 0 && flags & Word::ERRORS != 0 =>

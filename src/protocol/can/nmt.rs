@@ -64,6 +64,12 @@ impl Order {
     pub fn encode(self) -> [u8; 2] {
         [self.command.specifier(), self.node]
     }
+
+    /// Its frame as bytes: the identifier, which is 0, and the data.
+    pub fn telegram(self) -> [u8; 4] {
+        let [specifier, node] = self.encode();
+        [0, 0, specifier, node]
+    }
 }
 
 /// What a node tells of itself. The drives only ever tell [`Life::BootUp`].

@@ -59,6 +59,12 @@ impl Telegram {
     }
 }
 
+/// The frame that bytes stand for: two of the identifier, most significant first, and up to eight of data.
+pub fn telegram_frame(bytes: &[u8]) -> Option<Frame> {
+    let (head, data) = bytes.split_first_chunk()?;
+    Frame::data(u16::from_be_bytes(*head), data)
+}
+
 /// Bits of a frame of 11 bits around its data, with the three between frames (ISO 11898-1), and those of each byte.
 const AROUND: u64 = 47;
 const BITS_PER_BYTE: u64 = 8;

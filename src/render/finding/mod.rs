@@ -1,5 +1,6 @@
 //! Findings, one file a kind: its page for people, and its rows for NDJSON and CSV.
 
+mod bus_watch;
 mod dataset;
 mod decode;
 mod diag;
@@ -79,6 +80,8 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::BusPlan(found) => found.as_ref(),
         Data::BusLoad(found) => found,
         Data::BusShow(found) => found,
+        Data::BusMonitor(found) => found.as_ref(),
+        Data::BusOrders(found) => found,
         Data::Monitor(found) => found,
         Data::Plan(found) => found,
         Data::Motion(found) => found,

@@ -264,6 +264,7 @@ impl<'a> Stream<'a> {
         let summary = match &outcome.data {
             Some(Data::Monitor(summary)) => Some(StreamSummary::Monitor(summary.clone())),
             Some(Data::Sniff(sniff)) => Some(StreamSummary::Sniff(sniff.summary.clone())),
+            Some(Data::BusMonitor(heard)) => Some(StreamSummary::Bus(heard.clone())),
             _ => None,
         };
         let (view, console) = (self.view, self.console.clone());
@@ -289,6 +290,7 @@ fn end(outcome: &Outcome, command: &'static str, summary: Option<StreamSummary>)
     let t = summary.as_ref().map(|summary| match summary {
         StreamSummary::Monitor(monitor) => monitor.t,
         StreamSummary::Sniff(sniff) => sniff.count.t,
+        StreamSummary::Bus(heard) => heard.t,
     });
     StreamEnd {
         t: t.unwrap_or(Decimal { raw: 0, decimals: 6 }),
@@ -317,6 +319,12 @@ fn told(summary: &StreamSummary) -> Text {
             "{heard} in {t} s, davon {garbled} gestört",
             heard = Text::count(*heard, ["telegram", "telegrams"], ["Telegramm", "Telegramme"]),
             t = cells::seconds(*t)
+        ),
+        StreamSummary::Bus(heard) => both!(
+            "{frames} in {t} s",
+            "{frames} in {t} s",
+            frames = Text::count(heard.frames, ["frame", "frames"], ["Frame", "Frames"]),
+            t = cells::seconds(heard.t)
         ),
     }
 }

@@ -53,6 +53,11 @@ impl Form for Telegrams<'_> {
                     false => writeln!(self.out, "{}", wrap(sniff.unseen.get(self.manner.lang), self.manner.width)),
                 }
             }
+            Record::End(StreamEnd { summary: Some(StreamSummary::Bus(heard)), .. }) => {
+                let Manner { lang, width, .. } = self.manner;
+                writeln!(self.out, "\n{}", Page { lang, width, full: false }.bus_heard(heard))?;
+                self.out.flush()
+            }
             _ => Ok(()),
         }
     }

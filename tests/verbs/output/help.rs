@@ -146,6 +146,7 @@ fn every_example_works() {
         let line = line.replace("bus.toml", "{dir}/bus.toml").replace("bus.svg", "{dir}/bus.svg");
         let line = line.replace("--dcf .", "--dcf {dir}");
         let line = line.replace("base.", "{dir}/base.").replace("extra.toml", "{dir}/extra.toml");
+        let line = line.replace("slcan:/dev/ttyACM0", "sim:{dir}/can.toml --protocol sdo");
         let line = line.replace("/dev/ttyUSB0", "tape:{dir}/line.txt").replace("--link drive", "--link {dir}/drive");
         // What is paced by the wall clock need not take its time here.
         let line = line.replace(":5s", ":300ms").replace(" 5s", " 300ms").replace(":5020", ":0");
@@ -155,6 +156,7 @@ fn every_example_works() {
         let ended = antrieb(&paced)
             .file("line.txt", if example.contains("sniff") { &overheard } else { &recorded })
             .file("bench.toml", bench)
+            .file("can.toml", "[[drive]]\nmodel = \"acu\"\n[[foreign]]\nframe = \"080#\"\nevery = \"100ms\"\n")
             .file("record.csv", include_str!("../record.csv"))
             .file("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml"))
             .file("list.csv", "Nr.;Name\n1500;Head\n")

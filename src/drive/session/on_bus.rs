@@ -1,0 +1,49 @@
+//! What a session does on a CAN bus besides asking: it hears frames, and tells nodes something as master of the network.
+
+use super::Session;
+use crate::drive::access::AccessError;
+use crate::drive::open_line::OpenLine;
+use crate::protocol::can::Frame;
+use crate::protocol::can::nmt::Order;
+use crate::protocol::can::slcan::Word;
+use crate::tick::{Span, Tick};
+
+/// How long an adapter gets to tell how the bus is.
+const ANSWER: Span = Span::from_millis(300);
+
+impl<'a> Session<'a> {
+    /// The frames that come until a moment, as soon as there are any, on a bus that is only listened to.
+    pub(in crate::drive) async fn frames(&mut self, until: Tick) -> Result<Vec<Frame>, AccessError> {
+        self.hear(until).await?;
+        let taken = |ear: &crate::drive::can::Ears| ear.borrow_mut().frames.drain(..).collect();
+        Ok(self.ears.as_ref().map(taken).unwrap_or_default())
+    }
+
+    /// Frames that came faster than they were taken.
+    pub(in crate::drive) fn frames_lost(&self) -> u64 {
+        self.ears.as_ref().map_or(0, |ear| ear.borrow().lost)
+    }
+
+    /// The status flags of the adapter, if it tells them and they tell of errors.
+    pub(in crate::drive) async fn bus_errors(&mut self) -> Result<Option<u8>, AccessError> {
+        let ask = async |line: &mut OpenLine<'a>| line.link.send(&[]).await;
+        self.on_line(ask).await?;
+        let until = self.now() + ANSWER;
+        self.hear(until).await?;
+        let flags = self.ears.as_ref().and_then(|ear| ear.borrow().flags);
+        Ok(flags.filter(|flags| flags & Word::ERRORS != 0))
+    }
+
+    /// Tells nodes something as master of the network. Nobody answers that.
+    pub(in crate::drive) async fn order(&mut self, order: Order) -> Result<(), AccessError> {
+        let order = async |line: &mut OpenLine<'a>| line.say(&order.telegram()).await;
+        Ok(self.on_line(order).await?)
+    }
+
+    /// What was heard of nodes so far counts no more.
+    pub(in crate::drive) fn forget_nodes(&self) {
+        if let Some(heard) = &self.heard {
+            heard.borrow_mut().nodes.clear();
+        }
+    }
+}
