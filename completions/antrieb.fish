@@ -705,6 +705,9 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l dry-run -d 'Sh
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l link-test -d 'Ask N harmless questions: error rate, reply times' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"

@@ -835,6 +835,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;diag' {
             [CompletionResult]::new('--link-test', '--link-test', [CompletionResultType]::ParameterName, 'Ask N harmless questions: error rate, reply times')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
+            [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')

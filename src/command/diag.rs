@@ -1,5 +1,6 @@
 //! `diag`: what ails the drive, or the line to it?
 
+use super::profibus::{self, ModeArg, SlaveArgs};
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
 use crate::args::{Settings, Takes};
@@ -19,6 +20,9 @@ use clap::Args as ClapArgs;
 /// Shows the state, the active fault with cause and remedy, every warning bit, the entry of the fault memory, why the
 /// drive refused something last (P.11, which reading clears, or the last synchronous error), its watchdog, and its
 /// diagnostic counters with what each means.
+///
+/// Over PROFIBUS (--protocol dp) a slave is taken for it, held by the stop word, and let go: Slave_Diag, the trip and its data, what
+/// a lost master means (P.703, P.620), and what its LEDs show. Nothing is written.
 #[derive(Clone, Debug, ClapArgs)]
 #[command(args_conflicts_with_subcommands = true)]
 pub struct Args {
@@ -37,6 +41,13 @@ pub struct Args {
     /// For scripts: exit with 1 if a fault is present
     #[arg(long)]
     pub check: bool,
+
+    /// How a slave is taken.
+    #[command(flatten)]
+    pub slave: SlaveArgs,
+    /// How it is led.
+    #[command(flatten)]
+    pub mode: ModeArg,
 }
 
 /// Something else to diagnose than drives.
@@ -50,10 +61,12 @@ impl Verb for Args {
     const NAME: &'static str = "diag";
     const TAKES: Takes = Takes::WRITES;
     const SDO: bool = true;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1,2 diag --check",
         "antrieb --port sim -a 1 diag --link-test 100",
         "antrieb --port sim -a 1 diag line --count 50",
+        "antrieb --port sim --protocol dp -a 3 diag --yes",
     ];
     const UPPER: Upper = Upper::drive(90).each(1, "question of --link-test or --count");
     type Prints = Document<OrLine<Diag>>;
@@ -67,6 +80,9 @@ impl Verb for Args {
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if let Some(What::Line(args)) = &args.what {
         return super::diag_line::run(args, context).await;
+    }
+    if args.mode.is_meant(&args.slave, context.settings)? {
+        return over_profibus(args, context).await;
     }
     if context.settings.dry_run {
         let family = super::offline_family(context.settings, context.registry)?;
@@ -88,6 +104,25 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         outcome.failure = checked(outcome.failure, &faulted, &unknown);
     }
     Ok(outcome)
+}
+
+/// Diagnoses one slave of PROFIBUS and its inverter.
+async fn over_profibus(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    profibus::refuse(&[("--clear", args.clear), ("--link-test", args.link_test.is_some())])?;
+    let of = (&args.slave, args.mode.choice(), blank(0));
+    let (report, mut failure, warnings) = match profibus::diag(of, context).await? {
+        Ok(found) => found,
+        Err(plan) => return Ok(plan),
+    };
+    let drives = vec![report];
+    if args.check {
+        failure = checked(
+            failure,
+            &listed(&drives, |drive| drive.fault.is_some()),
+            &listed(&drives, |drive| untold(drive) && drive.fault.is_none()),
+        );
+    }
+    Ok(Outcome { data: Some(Data::Diag(Diag { drives })), warnings, failure })
 }
 
 /// Whether nobody can say if the drive has a fault.
@@ -179,6 +214,7 @@ fn blank(address: u8) -> Diagnosis {
         counters: Vec::new(),
         counters_cleared: false,
         link: None,
+        slave: None,
         error: None,
     }
 }

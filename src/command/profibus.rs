@@ -1,5 +1,6 @@
 //! `profibus`: a line of it without a controller, and what a master has to be told of a Hitachi SJ2-PB.
 
+mod diag;
 mod given;
 pub(super) mod job;
 mod mode;
@@ -11,6 +12,7 @@ mod taking;
 mod told;
 pub(super) mod write;
 
+pub(super) use diag::diag;
 pub use given::SlaveArgs;
 pub(super) use show::show;
 pub use spoken::ModeArg;

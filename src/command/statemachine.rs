@@ -152,7 +152,7 @@ impl Verb for Args {
 
 /// Shows the state of every drive that was named, or walks one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    if args.slave.is_meant(context.settings)? {
+    if args.mode.is_meant(&args.slave, context.settings)? {
         return over_profibus::run(args, context).await;
     }
     let (slug, motion) = match &args.action {

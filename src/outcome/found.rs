@@ -1,6 +1,6 @@
 //! What `scan`, `identify` and `diag` found.
 
-use super::{Decimal, ErrorDoc, Fault, Register, State, Value, Word};
+use super::{Decimal, ErrorDoc, Fault, Register, SlaveDiagnosis, State, Value, Word};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -229,6 +229,9 @@ pub struct Diagnosis {
     pub counters_cleared: bool,
     /// Result of the link test.
     pub link: Option<LinkTest>,
+    /// What a slave of PROFIBUS tells besides; missing over other lines.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slave: Option<SlaveDiagnosis>,
     /// Why it could not be diagnosed.
     pub error: Option<ErrorDoc>,
 }

@@ -1,6 +1,6 @@
 //! What `profibus` says.
 
-use super::{ErrorDoc, Field};
+use super::{ErrorDoc, Field, Value};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -73,4 +73,15 @@ pub struct LiveStation {
     pub identifiers: Vec<Field>,
     /// Why it is not all told.
     pub error: Option<ErrorDoc>,
+}
+
+/// What a slave of PROFIBUS tells besides.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct SlaveDiagnosis {
+    /// Slave_Diag, field by field.
+    pub diagnosis: Vec<Field>,
+    /// Who controls, what a lost master means, and the trip data, as they stand there; none in Basic mode.
+    pub values: Vec<Value>,
+    /// What each LED shows now, and what that means.
+    pub leds: Vec<Field>,
 }

@@ -3,6 +3,7 @@
 
 mod basic;
 mod ends;
+mod looked;
 mod rig;
 mod said;
 

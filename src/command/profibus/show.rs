@@ -1,5 +1,6 @@
 //! The state of one inverter, as its status word tells it.
 
+use super::diag::no_right;
 use super::given::SlaveArgs;
 use super::mode::planned;
 use super::open;
@@ -9,7 +10,7 @@ use crate::command::{Context, asking};
 use crate::drive::profibus::{self, Course, Exchange, Haul, WATCHDOG};
 use crate::failure::Failure;
 use crate::outcome::{Data, Outcome, Plan, StateReport, Statemachine, Warning};
-use crate::text::{Text, both};
+use crate::text::both;
 
 /// Who may control (5.1), and the status word (5.1).
 const RIGHT: u32 = 928;
@@ -75,11 +76,4 @@ pub(in crate::command) async fn show(
     let warnings = warning.map(|message| Warning { code: "profibus.let_go".to_owned(), message }).into_iter().collect();
     let failure = left.or(done.err()).or_else(|| haul.failures.into_iter().next());
     Ok(Outcome { data: Some(Data::Statemachine(Statemachine { drives: vec![report] })), warnings, failure })
-}
-
-fn no_right() -> Text {
-    both!(
-        "P.928 is not 1: the bus has no right to control (--take-control sets it for a run)",
-        "P.928 ist nicht 1: der Bus darf nicht steuern (--take-control setzt es für einen Lauf)"
-    )
 }

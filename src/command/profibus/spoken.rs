@@ -1,5 +1,7 @@
 //! How a slave is to be led, as it was typed: the mode, and the ramps of the Basic block.
 
+use super::given::SlaveArgs;
+use crate::args::Settings;
 use crate::drive::profibus::Ramps;
 use crate::failure::{Class, Failure};
 use crate::profile::value::parse_decimal;
@@ -72,6 +74,17 @@ pub struct ModeArg {
 }
 
 impl ModeArg {
+    /// Whether a slave is meant, by these options and those of how it is taken. Fails if only the options say so.
+    pub(in crate::command) fn is_meant(&self, slave: &SlaveArgs, settings: &Settings) -> Result<bool, Failure> {
+        let is_profibus = slave.is_meant(settings)?;
+        if is_profibus || self.mode.is_none() {
+            return Ok(is_profibus);
+        }
+        let message = both!("--mode means something on PROFIBUS alone", "--mode bedeutet nur am PROFIBUS etwas");
+        Err(Failure::new(Class::Usage, "usage.profibus", message)
+            .hint(both!("add --protocol dp, or leave it out", "--protocol dp angeben oder es weglassen")))
+    }
+
     /// What was typed.
     pub(in crate::command) fn choice(&self) -> Choice {
         Choice { spoken: self.mode, ramps: None }

@@ -2,12 +2,13 @@
 //!
 //! FDL status, Slave_Diag and Get_Cfg are answered before and beside any parameterisation; nothing is changed by them.
 
+use super::exchange::Exchange;
 use super::line::Line;
 use super::trouble;
 use crate::drive::decode::dp::{Reader, configuration, diagnosed, station};
 use crate::exchange::dp::{Asked, MASTER, Reply, Unanswered};
 use crate::failure::{Class, Failure};
-use crate::outcome::{ErrorDoc, Event, LiveList, LiveStation, TelegramDoc};
+use crate::outcome::{ErrorDoc, Event, Field, LiveList, LiveStation, TelegramDoc};
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::control::Station;
 use crate::protocol::dp::{Diagnosis, LAST_STATION, Service, diagnosis};
@@ -69,6 +70,23 @@ pub async fn configured(line: &mut Line<'_>, address: u8, insists: bool) -> Resu
             Ok(Err(why @ Unanswered::OtherMaster(_))) => Err(trouble::unanswered(address, &why)),
             answer => answer.map(|_| None),
         };
+    }
+}
+
+/// The answer to Slave_Diag, field by field; nothing where none came.
+pub async fn slave_diag(line: &mut Line<'_>, address: u8) -> Result<Vec<Field>, Failure> {
+    let answer = line.ask(address, Asked::service(Service::SlaveDiag, Vec::new()), None).await?;
+    Ok(match answer {
+        Ok(Reply::Frame { data, .. }) => diagnosed(&data).fields,
+        _ => Vec::new(),
+    })
+}
+
+impl Exchange<'_, '_> {
+    /// The same while data are exchanged.
+    pub async fn slave_diag(&mut self) -> Result<Vec<Field>, Failure> {
+        let address = self.address();
+        slave_diag(self.line, address).await
     }
 }
 

@@ -2,8 +2,7 @@
 //! (3.2.3); which of its own numbers (P.702) is which, no source tells.
 
 use super::mode::Seen;
-use crate::drive::decode::dp::trip;
-use crate::outcome::{Fault, State};
+use crate::outcome::State;
 use crate::text::{Text, both};
 
 /// Bits that are looked at, what they are, stable name.
@@ -23,13 +22,6 @@ pub fn of(seen: Seen) -> State {
     }
     let slug = ROWS.iter().find(|(mask, bits, _)| zsw & mask == *bits).map_or("unknown", |row| row.2);
     State { slug: slug.to_owned(), name: name(slug) }
-}
-
-/// The trip that stands, with its cause, which the Basic block alone tells (3.2.3).
-pub fn fault(seen: Seen) -> Option<Fault> {
-    let (code, name) = seen.state.filter(|_| seen.is_faulted()).map(|_| trip(seen.zsw))?;
-    let key = format!("{code:02X}h");
-    Some(Fault { code: code.into(), key, group: None, name, cause: None, remedy: None, node: None })
 }
 
 /// Operating states of the Basic block (3.2.3).

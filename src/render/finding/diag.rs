@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::{Finding, Rows};
-use crate::outcome::{Diag, Diagnosis, LinkTest, Register, Value, Word};
+use crate::outcome::{Diag, Diagnosis, LinkTest, Register, SlaveDiagnosis, Value, Word};
 use crate::profile::value::format_decimal;
 
 impl Finding for Diag {
@@ -102,8 +102,27 @@ impl Page {
         });
         let head: &[&str] = if self.full { &[">count", "name", "meaning"] } else { &[">count", "name"] };
         match self.table(head, rows.collect()) {
+            none if none.is_empty() => {}
+            counters => text += &("\n".to_owned() + &counters),
+        }
+        text + &report.slave.as_ref().map_or_else(String::new, |slave| self.slave(slave))
+    }
+
+    /// What a slave of PROFIBUS tells besides.
+    fn slave(self, slave: &SlaveDiagnosis) -> String {
+        let rows =
+            slave.values.iter().map(|value| vec![value.param.to_string(), self.say(&value.name), self.short(value)]);
+        let mut text = match self.table(&[">param", "name", "value"], rows.collect()) {
+            none if none.is_empty() => none,
+            values => "\n".to_owned() + &values,
+        };
+        if !slave.diagnosis.is_empty() {
+            text += &format!("\nSlave_Diag{}", self.fields(&slave.diagnosis));
+        }
+        let rows = slave.leds.iter().map(|led| vec![self.say(&led.name), self.say(&led.value)]);
+        match self.table(&["", ""], rows.collect()) {
             none if none.is_empty() => text,
-            counters => text + "\n" + &counters,
+            leds => text + "\n" + &leds,
         }
     }
 
