@@ -15,6 +15,16 @@ pub enum Addresses {
     Named(Vec<u8>),
 }
 
+impl Addresses {
+    /// Those that were named.
+    pub fn named(&self) -> &[u8] {
+        match self {
+            Addresses::Unnamed => &[],
+            Addresses::Named(list) => list,
+        }
+    }
+}
+
 /// Reads the node of `3.17`: drive 3, and node 17 of the system bus behind it (EM-RES-03 manual 5.10.2.2).
 pub(super) fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
     let number = node.trim().parse().ok().filter(|node| (1..=LAST_NODE).contains(node));

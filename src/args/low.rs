@@ -287,6 +287,22 @@ impl<'a> Low<'a> {
         if there.is_empty() { Err(none_there(text, &ports, self.has_drives())) } else { Ok(there) }
     }
 
+    /// The names of the drives that are meant, by the lines on which they lie; none where something else is meant, too, or one port was
+    /// typed for all.
+    pub(super) fn lines(&self) -> Result<Vec<Vec<String>>, Failure> {
+        let ports = self.typed_ports()?;
+        let Some(text) = self.flags.address.as_deref().filter(|_| ports.len() != 1) else { return Ok(Vec::new()) };
+        let mut lines: Vec<(&NamedDrive, Vec<String>)> = Vec::new();
+        for name in self.meant(text)? {
+            let Some(drive) = self.drive(&name) else { return Ok(Vec::new()) };
+            match lines.iter_mut().find(|(first, _)| first.line() == drive.line()) {
+                Some((_, names)) => names.push(name),
+                None => lines.push((drive, vec![name])),
+            }
+        }
+        Ok(lines.into_iter().map(|(_, names)| names).collect())
+    }
+
     /// What an environment variable says, if it is set.
     pub(super) fn variable(&self, name: &'static str) -> Option<(String, Origin)> {
         let text = self.environment.variables.get(name).filter(|text| !text.is_empty())?;
@@ -366,9 +382,10 @@ fn apart(text: &str, part: &str) -> Failure {
         "'{text}': laut {PROJECT} ist {part} nicht an der Leitung der anderen"
     );
     bad_setting("address", message).hint(both!(
-        "this verb works on one line: name its port with -p, or one call for each line; `plan`, `apply` and `check` go over all",
-        "dieser Befehl arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; `plan`, `apply` \
-         und `check` gehen über alle"
+        "this verb works on one line: name its port with -p, or one call for each line; `plan`, `apply`, `check` and every stop go \
+         over all",
+        "dieser Befehl arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; `plan`, `apply`, \
+         `check` und jeder Halt gehen über alle"
     ))
 }
 

@@ -21,7 +21,7 @@ pub use low::{Environment, Origin, Typed};
 pub use motion::{KeypadArgs, MotionArgs, StopArg};
 pub use plant::{
     Place, called, in_directory, letterhead, place, places, port_from_elsewhere, project_path, settings_of_plant,
-    templates, typed_ports,
+    settings_over_lines, templates, typed_ports,
 };
 pub use project::{Letterhead, Template};
 pub use settings::{Settings, Unknown, language, user_config_directory};

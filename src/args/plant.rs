@@ -1,5 +1,6 @@
 //! The plant that a project file tells of: its drives with all that holds for each, looked up when a verb asks for it.
 
+use super::address::Addresses;
 use super::globals::Globals;
 use super::low::{Environment, Low, Typed};
 use super::project::{Letterhead, PROJECT, Template, device, from_outside, wrong_in};
@@ -58,6 +59,31 @@ pub fn settings_of_plant(globals: &Globals, environment: &Environment) -> Result
     let alone = Globals { address: None, port: Vec::new(), ..globals.clone() };
     let settings = Settings::resolve(&alone, environment)?;
     Ok(Settings { typed: Typed::new(globals, environment), ..settings })
+}
+
+/// What holds for a verb that goes over several lines, where the drives that were meant lie on such: for those of each line as if they
+/// alone were meant.
+///
+/// # Errors
+/// A setting does not do.
+pub fn settings_over_lines(globals: &Globals, environment: &Environment) -> Result<Settings, Failure> {
+    let lists = Low::read(globals, environment)?.lines()?;
+    if lists.len() < 2 {
+        return Settings::resolve(globals, environment);
+    }
+    let mut alone = environment.clone();
+    alone.variables.remove("ANTRIEB_PORT");
+    let line = |names: Vec<String>| {
+        let globals = Globals { address: Some(names.join(",")), port: Vec::new(), ..globals.clone() };
+        Settings::resolve(&globals, &alone)
+    };
+    let mut lines = lists.into_iter().map(line).collect::<Result<Vec<_>, _>>()?;
+    // What is set otherwise on one port goes beside it.
+    let port = |line: &Settings| line.port.as_ref().map(|port| device(&port.to_string()));
+    let ports: Vec<_> = lines.iter().map(port).collect();
+    lines.sort_by_key(|line| ports.iter().position(|one| *one == port(line)));
+    let addresses = Addresses::Named(lines.iter().flat_map(|line| line.addresses.named()).copied().collect());
+    Ok(Settings { addresses, lines, ..settings_of_plant(globals, environment)? })
 }
 
 /// The drives that were meant (`-a`, `-p`; otherwise all of them), by their names.

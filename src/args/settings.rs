@@ -74,6 +74,8 @@ pub struct Settings {
     pub dry_run: bool,
     /// The safety question is answered.
     pub yes: bool,
+    /// What holds on each of several lines, for what goes over them ([`settings_over_lines`](super::settings_over_lines)).
+    pub lines: Vec<Settings>,
     /// What was typed, for who works on a whole plant.
     pub typed: Typed,
     /// Where each of them comes from that somebody said, by the name that it has in a file.
@@ -144,6 +146,7 @@ impl Settings {
             color: globals.color.unwrap_or_default(),
             dry_run: globals.dry_run,
             yes: globals.yes,
+            lines: Vec::new(),
             typed: Typed::new(globals, environment),
             origins: low.into_origins(),
         })

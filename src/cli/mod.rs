@@ -12,7 +12,7 @@ mod typed;
 mod unfit;
 mod values;
 
-use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
+use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant, settings_over_lines};
 use crate::command::{Context, Entry, Flow, Typed, file_failure, on_bus};
 use crate::drive::{Calls, Interrupt};
 use crate::failure::{Class, Failure};
@@ -113,8 +113,11 @@ fn shown<'o>(stream: Stream<'o>, carry_out: impl FnOnce(&RefCell<Stream<'o>>) ->
 
 /// What holds for what was typed.
 fn settings_for(what: &What, globals: &Globals, environment: &Environment) -> Result<Settings, Failure> {
-    let is_of_plant = matches!(what, What::Work(entry, _) if entry.of_plant);
-    let resolve = if is_of_plant { settings_of_plant } else { Settings::resolve };
+    let resolve = match what {
+        What::Work(entry, _) if entry.of_plant => settings_of_plant,
+        What::Work(_, verb) if verb.goes_over_lines() => settings_over_lines,
+        _ => Settings::resolve,
+    };
     let settings = what.unkept(globals).map_or_else(|| resolve(globals, environment), Err)?;
     what.unspoken(&settings).map_or(Ok(settings), Err)
 }

@@ -271,18 +271,28 @@ impl<'r> Rehearsal<'r> {
         }
     }
 
-    /// The same run on another drive, behind this one.
-    /// What goes to each of several drives.
-    pub(super) fn of_each(addresses: &[u8], one: impl Fn(u8) -> Result<Self, Failure>) -> Result<Outcome, Failure> {
-        let mut told: Option<Self> = None;
-        for &address in addresses {
-            let next = one(address)?;
-            match &mut told {
-                None => told = Some(next),
-                Some(told) => told.plan.telegrams.extend(next.plan.telegrams),
-            }
+    /// What goes to each of several drives, told as one.
+    pub(super) fn of_all(settings: &Settings, plans: Vec<Plan>) -> Outcome {
+        let mut plans = plans.into_iter();
+        let Some(mut plan) = plans.next() else { return Outcome::default() };
+        plan.telegrams.extend(plans.flat_map(|other| other.telegrams));
+        if !settings.lines.is_empty() {
+            let each = settings.lines.iter().map(|line| {
+                let addresses = line.addresses.named().iter().map(u8::to_string).collect::<Vec<_>>().join(", ");
+                let port = line.port.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string);
+                format!("{port} ({addresses})")
+            });
+            let each = each.collect::<Vec<_>>().join(", ");
+            plan.notes.push(both!(
+                "the lines hear it side by side, here one behind the other: {each}",
+                "die Leitungen hören es nebeneinander, hier steht eine nach der anderen: {each}"
+            ));
         }
-        Ok(told.map(Rehearsal::told).unwrap_or_default())
+        Outcome::of(Data::Plan(plan))
+    }
+
+    pub(super) fn planned(self) -> Plan {
+        self.plan
     }
 
     pub(super) fn telegrams(self) -> Vec<TelegramDoc> {

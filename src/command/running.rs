@@ -27,7 +27,7 @@ mod whom;
 use done::Seen;
 use question::{nothing_stops_it, question};
 use report::{aftermath, report};
-pub(super) use several::stop_each;
+pub(super) use several::{lines, stop_each};
 use unstopped::{but_said, unstopped};
 pub(super) use unstopped::{kept_back, unsent};
 use whom::{first_said, meant, stop_harder, whom};

@@ -35,7 +35,7 @@ use wanted::{Spoken, Wanted, spoken, understand};
 ///
 /// Without a value it only reads: setpoints, actual values, and what decides how the setpoint is formed. With a value it
 /// asks, and then writes it; a plain 0 only takes motion away and asks nobody, unless it changed the operating mode or
-/// left another setpoint that turns the shaft the other way, and stops several drives too (-a 1-5). Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
+/// left another setpoint that turns the shaft the other way, and stops several drives too (-a 1-5, -a all). Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
 ///
@@ -158,6 +158,10 @@ impl Verb for Args {
         is_held.then_some(Flow::Run { view: self.motion.wants_keys() })
     }
 
+    fn goes_over_lines(&self) -> bool {
+        self.value.as_deref().is_some_and(zero::is_said)
+    }
+
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))
     }
@@ -175,7 +179,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let (family, wanted) =
         understood.map_err(|failure| unit::of_whom(failure, context.settings.drive.is_some(), context.registry))?;
     if context.settings.dry_run {
-        return dry::run(args, &family, &wanted, context);
+        return dry::run(args, &spoken, (&family, &wanted), context);
     }
     takes_what_it_needs(args, &wanted)?;
     let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
@@ -218,10 +222,9 @@ async fn give(
     };
     let giving = Giving { args, spoken, motion: &motion, panel: &panel, enable, bare };
     let several = running::several(context.settings).filter(|addresses| !addresses.contains(&0));
-    if let (Some(act), Some(addresses)) = (relief, several) {
+    if let (Some(act), Some(_)) = (relief, several) {
         return running::stop_each(
             context,
-            &addresses,
             act,
             plan,
             async |session, target, before, plan| giving.check(session, target, before, plan).await,

@@ -25,7 +25,7 @@ use clap::{Args as ClapArgs, Subcommand};
 ///
 /// `show` (the default) reads only: the state, status and control word bit by bit, who controls the drive, what is
 /// missing to run, and where each state leads. `disable`, `disable-voltage` and `quick-stop` only take motion away and act
-/// at once, on several drives too (-a 1-5); everything else can turn the shaft and asks first. An ACTIVE obeys the
+/// at once, on several drives too (-a 1-5, -a all); everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 ///
 /// Over PROFIBUS (--protocol dp): `show`, the stops and `reset`, by the words of PROFIdrive, or of the Basic
@@ -143,6 +143,10 @@ impl Verb for Args {
         let action = self.action.as_ref().filter(|action| !action.is_stop())?;
         let motion = action.motion()?;
         (motion.hold || motion.wants_keys()).then_some(Flow::Run { view: motion.wants_keys() })
+    }
+
+    fn goes_over_lines(&self) -> bool {
+        self.action.as_ref().is_some_and(Action::is_stop)
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -45,6 +45,11 @@ pub trait Verb: clap::Args + Debug + 'static {
         None
     }
 
+    /// Whether drives that lie on several lines do for it: what only takes motion away goes over all of them.
+    fn goes_over_lines(&self) -> bool {
+        false
+    }
+
     /// Works. What ends it early is a failure; what fails on the way stands in the outcome beside what was found.
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a>;
 }
@@ -81,6 +86,8 @@ pub enum Flow {
 pub trait Typed: Debug {
     /// See [`Verb::streams`].
     fn streams(&self) -> Option<Flow>;
+    /// See [`Verb::goes_over_lines`].
+    fn goes_over_lines(&self) -> bool;
     /// See [`Verb::run`].
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a>;
 }
@@ -88,6 +95,9 @@ pub trait Typed: Debug {
 impl<V: Verb> Typed for V {
     fn streams(&self) -> Option<Flow> {
         Verb::streams(self)
+    }
+    fn goes_over_lines(&self) -> bool {
+        Verb::goes_over_lines(self)
     }
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Verb::run(self, context)

@@ -66,6 +66,9 @@ pub struct Stops {
 /// What became of the stop of a drive among several.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Stopped {
+    /// Its name in the project file, of several lines; on one line it is told by its address.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub called: Option<String>,
     /// Address of the drive.
     pub address: u8,
     /// What the shaft did; null where nothing could be asked.

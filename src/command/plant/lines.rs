@@ -279,7 +279,7 @@ async fn line<'a>(
 }
 
 /// What happens on one of several ports, with its name.
-fn named(port: &str, event: Event) -> Event {
+pub(in crate::command) fn named(port: &str, event: Event) -> Event {
     match event {
         Event::Note(note) => Event::Note(both!("{port}: {note}", "{port}: {note}", note)),
         Event::Warned(Warning { code, message }) => {

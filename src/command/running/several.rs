@@ -1,25 +1,36 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
 use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped};
+use crate::args::{Settings, called};
+use crate::command::plant::lines::named as named_port;
 use crate::command::{Context, connect};
 use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
-use crate::drive::{AccessError, Session, Target, is_there, summary};
+use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::{Answer, Ask, Question, Relief, Reply};
-use crate::outcome::{Data, ErrorDoc, Outcome, Stopped, Stops};
+use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
+use crate::profile::Registry;
 use crate::text::{Text, both};
+use futures_util::future::join_all;
 use std::cell::RefCell;
 
 /// What came of one drive.
 type Came = Result<Outcome, Failure>;
 
-/// Stops every drive by `act` and proves it of each. `plan`: that of one, which can do nothing else; `check` and `work` as those of
-/// [`super::run`].
+/// A drive among several: its name, where the drives lie on several lines, and its address.
+type Who = (Option<String>, u8);
+
+/// The lines over which the drives of these settings lie, and what holds on each.
+pub(in crate::command) fn lines(settings: &Settings) -> &[Settings] {
+    if settings.lines.is_empty() { std::slice::from_ref(settings) } else { &settings.lines }
+}
+
+/// Stops every drive by `act` and proves it of each, the lines side by side. `plan`: that of one, which can do nothing else; `check` and
+/// `work` as those of [`super::run`].
 ///
-/// Fails only where the line cannot be opened: what is not proven stands beside its drive.
+/// Fails only where the only line cannot be opened: what is not proven stands beside its drive.
 pub(in crate::command) async fn stop_each<'p, C>(
     context: &mut Context<'_>,
-    addresses: &[u8],
     act: Relief,
     plan: impl Fn() -> Plan<'p>,
     check: impl AsyncFn(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
@@ -27,18 +38,60 @@ pub(in crate::command) async fn stop_each<'p, C>(
 ) -> Result<Outcome, Failure> {
     let Context { settings, registry, interrupt, observe, .. } = context;
     interrupt.hear_only_keys();
-    let mut session = connect(settings, registry, interrupt, *observe).await.map_err(unsent)?;
-    let named = meant(settings, registry, addresses)?;
-    let (calls, pressed) = shout_round(&mut session, registry, &named, act).await;
+    let (registry, interrupt, what) = (*registry, &*interrupt, (act, &plan, &check, &work));
+    if settings.lines.is_empty() {
+        let came = stop_line((settings, registry, interrupt), *observe, what).await?;
+        return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(came)));
+    }
+    let observe = RefCell::new(observe);
+    // What is set otherwise on one port is another line of it, and has its turn behind the first.
+    let ports = settings.lines.chunk_by(|one, other| one.port == other.port).map(|lines| {
+        let observe = &observe;
+        async move {
+            let mut came = Vec::new();
+            for line in lines {
+                let port = line.port.as_ref().map(ToString::to_string).unwrap_or_default();
+                let mut tell = |event| (observe.borrow_mut())(named_port(&port, event));
+                came.push(stop_line((line, registry, interrupt), &mut tell, what).await);
+            }
+            came
+        }
+    });
+    let came = join_all(ports).await.into_iter().flatten();
+    let mut each = Vec::new();
+    for (line, came) in settings.lines.iter().zip(came) {
+        let (names, addresses) = (called(line)?, line.addresses.named());
+        let came = came.unwrap_or_else(|failure| addresses.iter().map(|_| Err(failure.clone())).collect());
+        each.extend(addresses.iter().map(|address| (names.get(address).cloned(), *address)).zip(came));
+    }
+    Ok(told(each.into_iter()))
+}
+
+/// Stops the drives of a line.
+async fn stop_line<'p, C>(
+    (settings, registry, interrupt): (&Settings, &Registry, &Interrupt),
+    observe: &mut dyn FnMut(Event),
+    (act, plan, check, work): (
+        Relief,
+        &impl Fn() -> Plan<'p>,
+        &impl AsyncFn(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
+        &impl AsyncFn(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
+    ),
+) -> Result<Vec<Came>, Failure> {
+    spoken(settings)?;
+    let addresses = settings.addresses.named();
+    let mut session = connect(settings, registry, interrupt, observe).await.map_err(unsent)?;
+    let drives = meant(settings, registry, addresses)?;
+    let (calls, pressed) = shout_round(&mut session, registry, &drives, act).await;
     let calls: RefCell<Vec<Option<Call<'_>>>> = RefCell::new(calls.into_iter().map(Some).collect());
     let one = async |session: &mut Session<'_>, at: usize| {
         let call = calls.borrow_mut().get_mut(at).and_then(Option::take);
-        let Some(drive) = named.get(at) else { return Ok(Outcome::default()) };
+        let Some(drive) = drives.get(at) else { return Ok(Outcome::default()) };
         let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
-        stop_one(session, &mut around, (drive, call, pressed), (act, plan()), &check, &work).await
+        stop_one(session, &mut around, (drive, call, pressed), (act, plan()), check, work).await
     };
     let mut came: Vec<Came> = session.side_by_side(addresses, one).await;
-    for (drive, came) in named.iter().zip(&mut came) {
+    for (drive, came) in drives.iter().zip(&mut came) {
         // Somebody slow says nothing in turns that are short.
         if session.is_interrupted() || !is_unheard(came) {
             continue;
@@ -47,10 +100,22 @@ pub(in crate::command) async fn stop_each<'p, C>(
         if is_there(&mut session, drive.address).await {
             let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
             let drive = (drive, None, false);
-            *came = stop_one(&mut session, &mut around, drive, (act, plan()), &check, &work).await;
+            *came = stop_one(&mut session, &mut around, drive, (act, plan()), check, work).await;
         }
     }
-    Ok(told(addresses, came))
+    Ok(came)
+}
+
+/// Refuses a line of another kind among several: nothing is sent on it, and the others are stopped.
+fn spoken(settings: &Settings) -> Result<(), Failure> {
+    if !settings.profibus && !settings.is_can() {
+        return Ok(());
+    }
+    let message = both!(
+        "nothing was sent: a stop of several goes over Modbus and VABus alone",
+        "es wurde nichts gesendet: ein Halt mehrerer geht nur über Modbus und VABus"
+    );
+    Err(unsent(Failure::new(Class::Usage, "usage.protocol", message)))
 }
 
 /// Goes on saying it to one of them, and proves it.
@@ -101,16 +166,16 @@ impl Ask for Nobody {
 }
 
 /// What came of all.
-fn told(addresses: &[u8], came: Vec<Came>) -> Outcome {
+fn told(each: impl Iterator<Item = (Who, Came)>) -> Outcome {
     let (mut drives, mut failures) = (Vec::new(), Vec::new());
-    for (&address, came) in addresses.iter().zip(came) {
+    for ((called, address), came) in each {
         let (motion, failure) = match came {
             Ok(Outcome { data: Some(Data::Motion(motion)), failure, .. }) => (Some(motion), failure),
             Ok(Outcome { failure, .. }) => (None, failure),
             Err(failure) => (None, Some(failure)),
         };
-        drives.push(Stopped { address, motion, error: failure.as_ref().map(ErrorDoc::from) });
-        failures.extend(failure.map(|failure| (address, failure)));
+        drives.push(Stopped { called: called.clone(), address, motion, error: failure.as_ref().map(ErrorDoc::from) });
+        failures.extend(failure.map(|failure| ((called, address), failure)));
     }
     let succeeded = drives.len().saturating_sub(failures.len());
     let failure = summed_up(failures, succeeded);
@@ -119,22 +184,34 @@ fn told(addresses: &[u8], came: Vec<Came>) -> Outcome {
 
 /// Names every drive that is not proven to stand; who reads only the last line must not miss one. Where some stand it is 9; where
 /// none was proven, that of which least is known counts, whatever the order of the addresses.
-fn summed_up(failures: Vec<(u8, Failure)>, succeeded: usize) -> Option<Failure> {
+fn summed_up(failures: Vec<(Who, Failure)>, succeeded: usize) -> Option<Failure> {
     let message = Text::join(&failures.iter().map(named).collect::<Vec<_>>(), "; ");
-    let addresses = failures.iter().map(|(address, _)| address.to_string()).collect::<Vec<_>>().join(", ");
+    let who = |((called, address), _): &(Who, Failure)| called.clone().unwrap_or_else(|| address.to_string());
+    let addresses = failures.iter().map(who).collect::<Vec<_>>().join(", ");
+    // Who stands on another line stands all the same.
+    let is_of_a_line = |((called, _), failure): &(Who, Failure)| called.is_some() && failure.class == Class::Port;
+    let a_line_failed = succeeded > 0 && failures.iter().any(is_of_a_line);
     let mut failures: Vec<Failure> = failures.into_iter().map(|(_, failure)| failure).collect();
     failures.sort_by_key(|failure| LEAST_KNOWN.iter().position(|class| *class == failure.class));
-    summary(failures, succeeded).map(|failure| Failure { message, ..failure }.with("addresses", addresses))
+    let partial = |failure| Failure { class: Class::Partial, code: "partial".to_owned(), ..failure };
+    let summed = match a_line_failed {
+        true => failures.into_iter().next().map(partial),
+        false => summary(failures, succeeded),
+    };
+    summed.map(|failure| Failure { message, ..failure }.with("addresses", addresses))
 }
 
-/// What is told of a drive, with its address once.
-fn named((address, failure): &(u8, Failure)) -> Text {
+/// What is told of a drive, with its name or address once.
+fn named(((called, address), failure): &(Who, Failure)) -> Text {
     let again = both!("address {address}: ", "Adresse {address}: ", address);
     let why = Text {
         en: failure.message.en.replace(&*again.en, "").into(),
         de: failure.message.de.replace(&*again.de, "").into(),
     };
-    both!("{again}{why}", "{again}{why}", again, why)
+    match called {
+        Some(called) => both!("{called}: {why}", "{called}: {why}", why),
+        None => both!("{again}{why}", "{again}{why}", again, why),
+    }
 }
 
 /// From what tells nothing of a drive to what tells most.

@@ -1,17 +1,22 @@
 //! `sollwert --dry-run`: every telegram that would go out.
 
-use super::wanted::Wanted;
+use super::wanted::{Spoken, Wanted, understand};
 use super::{Args, in_hertz, zero};
 use crate::args::Settings;
 use crate::command::rehearse::Rehearsal;
-use crate::command::{Context, running};
+use crate::command::{Context, offline, running};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::profile::Family;
 use crate::text::both;
 
 /// What a run would send, in the order of [`carry_out`].
-pub(super) fn run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
+pub(super) fn run(
+    args: &Args,
+    spoken: &Spoken,
+    (family, wanted): (&Family, &Wanted),
+    context: &Context<'_>,
+) -> Result<Outcome, Failure> {
     if wanted.by_speed {
         let message = both!(
             "a speed needs the drive's pole pairs (P.373), and a dry run asks no drive",
@@ -19,11 +24,19 @@ pub(super) fn run(args: &Args, family: &Family, wanted: &Wanted, context: &Conte
         );
         return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint(in_hertz()));
     }
-    let addresses = match running::several(context.settings).filter(|_| zero::is_meant(args, wanted)) {
-        Some(addresses) if !addresses.contains(&0) => addresses,
-        _ => vec![running::single_address(context)?],
-    };
-    Rehearsal::of_each(&addresses, |address| one(args, family, wanted, (context.settings, address)))
+    let several = running::several(context.settings).filter(|addresses| !addresses.contains(&0));
+    if several.is_none_or(|_| !zero::is_meant(args, wanted)) {
+        let address = running::single_address(context)?;
+        return Ok(one(args, family, wanted, (context.settings, address))?.told());
+    }
+    let mut told = Vec::new();
+    for line in running::lines(context.settings) {
+        let (family, wanted) = offline(line, context.registry, |family| understand(args, spoken, family))?;
+        for &address in line.addresses.named() {
+            told.push(one(args, &family, &wanted, (line, address))?.planned());
+        }
+    }
+    Ok(Rehearsal::of_all(context.settings, told))
 }
 
 pub(super) fn one<'r>(

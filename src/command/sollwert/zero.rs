@@ -2,6 +2,7 @@
 
 use super::Args;
 use super::wanted::Wanted;
+use crate::args::below_zero::SIGN;
 use crate::command::running::Plan;
 use crate::drive::motion::{Situation, may_turn, role_raw, turns, zero_only_slows};
 use crate::drive::{Session, Target};
@@ -9,6 +10,13 @@ use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::{Family, Mode};
 use crate::text::{Text, both};
+
+/// Whether a setpoint as it was typed is a zero, whatever its unit.
+pub(super) fn is_said(setpoint: &str) -> bool {
+    let number = setpoint.trim().trim_start_matches(['-', '+', SIGN]);
+    let number = number.trim_end_matches(|letter: char| !letter.is_ascii_digit());
+    number.contains('0') && number.chars().all(|letter| matches!(letter, '0' | '.' | ','))
+}
 
 /// Whether a setpoint of zero is all that is given, and it can do nothing else, as far as the words tell: control is not
 /// taken for it.

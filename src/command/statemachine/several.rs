@@ -26,10 +26,14 @@ pub(super) async fn stop(
         let plan = || Plan { aim: Some(act), relief: Some(act), ..Plan::of(slug, announce.clone(), motion) };
         let check = async |_: &mut Session<'_>, _: &mut Target, _: &Situation, _: &mut Plan<'_>| Ok(());
         let work = async |motor: &mut Motor<'_, '_>, ()| motor.relieve(act).await;
-        return running::stop_each(context, addresses, act, plan, check, work).await;
+        return running::stop_each(context, act, plan, check, work).await;
     }
-    let family = offline_family(context.settings, context.registry)?;
-    Rehearsal::of_each(addresses, |address| {
-        rehearse(context.settings, &family, address, motion, true, Some(slug), |told| told.command(slug))
-    })
+    let mut told = Vec::new();
+    for line in running::lines(context.settings) {
+        let family = offline_family(line, context.registry)?;
+        for &address in line.addresses.named() {
+            told.push(rehearse(line, &family, address, motion, true, Some(slug), |told| told.command(slug))?.planned());
+        }
+    }
+    Ok(Rehearsal::of_all(context.settings, told))
 }

@@ -3,6 +3,7 @@
 use super::page::{Page, shown};
 use super::{Finding, Rows};
 use crate::outcome::{Motion, Setpoint, State, Stopped, Stops};
+use crate::render::clean;
 
 impl Finding for Motion {
     fn table(&self, page: Page) -> String {
@@ -26,12 +27,13 @@ impl Finding for Stops {
 
 impl Page {
     fn stopped(self, drive: &Stopped) -> String {
+        let called = drive.called.as_ref().map_or_else(String::new, |called| format!("{}: ", clean(called)));
         let text = match &drive.motion {
             Some(motion) => self.motion(motion),
             None => self.heading(drive.address, "unknown"),
         };
         let error = drive.error.as_ref().map_or_else(String::new, |error| self.prose(error.message.get(self.lang)));
-        text + &error
+        called + &text + &error
     }
 
     fn motion(self, motion: &Motion) -> String {

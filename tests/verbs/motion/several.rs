@@ -1,8 +1,9 @@
 //! One call stops several drives: each hears the stop before any of them is looked at.
 
 use super::rig::RUNNING;
-use crate::run::antrieb;
-use antrieb::tick::Span;
+use crate::run::{Run, antrieb};
+use antrieb::simulator::Bench;
+use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 
 /// Three that run, the one at 3 with `rest` besides.
@@ -58,6 +59,75 @@ fn what_asks_and_everybody_are_one_drive_s() {
         assert!(run.sent().is_empty() && run.err.contains(" -a 1-3 statemachine quick-stop`"), "{}", run.err);
     }
     antrieb("-a 0,1 statemachine quick-stop").on(&line("")).exits(2);
+}
+
+/// A plant of three ports: its `antrieb.toml` and benches; on the middle one is `rest` at address 3.
+fn plant(typed: &str, rest: &str) -> Run {
+    let mut project = String::new();
+    for (port, addresses) in [("left", 1..=3), ("middle", 1..=3), ("right", 1..=3)] {
+        project += &format!("[ports.{port}]\npath = \"sim:{port}.bench\"\n");
+        for address in addresses {
+            project += &format!("[drives.{port}-{address}]\nport = \"{port}\"\naddress = {address}\n");
+        }
+    }
+    project += "[groups]\nfirst = [\"left-1\", \"right-1\"]\n";
+    let run = antrieb(&format!("--config {{dir}}/site/antrieb.toml {typed}")).file("site/antrieb.toml", &project);
+    let run = run.file("site/left.bench", &line("")).file("site/middle.bench", &line(rest));
+    run.file("site/right.bench", &line(""))
+}
+
+/// How many shafts turn on each bench that was left when everything has come to an end.
+fn turning_everywhere() -> Vec<u64> {
+    let ended = |(bench, at): &mut (Bench, Tick)| {
+        bench.advance(*at + Span::from_secs(60));
+        bench.totals().turning
+    };
+    witness::all_left().iter_mut().map(ended).collect()
+}
+
+#[test]
+fn a_stop_goes_over_every_port_of_a_plant() {
+    for verb in [
+        "statemachine quick-stop",
+        "statemachine disable",
+        "statemachine disable-voltage",
+        "sollwert 0",
+        "sollwert 0Hz",
+    ] {
+        let run = plant(&format!("-v -a all {verb}"), "").exits(0);
+        assert_eq!(turning_everywhere(), [0, 0, 0], "{verb}");
+        for name in ["left-1", "middle-2", "right-3"] {
+            assert!(run.out.contains(&format!("{name}: drive")), "{verb} {name}: {}", run.out);
+        }
+    }
+    plant("-a @first statemachine quick-stop", "").exits(0);
+    plant("--lang de -a all statemachine quick-stop", "").exits(0);
+    let planned = plant("-a all statemachine quick-stop --dry-run", "").json().exits(0);
+    assert!(planned.data("/telegrams").as_array().unwrap().len() > 9);
+    plant("-a all sollwert 0 --dry-run", "").exits(0);
+    // What starts a shaft, and what only reads, is as before.
+    for other in ["sollwert 5Hz", "statemachine enable", "read 480"] {
+        plant(&format!("-a all {other} --yes"), "").exits(2);
+    }
+}
+
+#[test]
+fn who_does_not_stand_on_one_port_is_named_and_the_others_do() {
+    let silent = "[[drive.event]]\nat = \"0s\"\nsilent = \"2min\"\n";
+    let came = plant("-a all statemachine disable-voltage", silent).json().exits(9);
+    let told = came.error()["message"].as_str().unwrap();
+    assert!(told.starts_with("middle-3: THE SHAFT MAY STILL TURN"), "{told}");
+    assert_eq!(came.error()["context"]["addresses"], "middle-3");
+    assert_eq!(turning_everywhere().iter().sum::<u64>(), 1);
+    // A port that is not there takes nobody else his stop.
+    let project =
+        "[drives.a]\nport = \"sim:{dir}/a.bench\"\naddress = 1\n[drives.b]\nport = \"/dev/nowhere\"\naddress = 1\n";
+    let gone = antrieb("-a all statemachine quick-stop").file("a.bench", &line(""));
+    let project = project.replace("{dir}", &gone.directory().display().to_string());
+    let came = gone.file("antrieb.toml", &project).json().exits(9);
+    assert_eq!((came.data("/drives/0/called"), came.data("/drives/1/called")), (&"a".into(), &"b".into()));
+    assert_eq!(came.data("/drives/1/error/code"), "port.not_found");
+    assert!(came.data("/drives/0/error").is_null());
 }
 
 #[test]

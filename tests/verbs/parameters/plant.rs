@@ -341,7 +341,7 @@ fn all_and_groups_go_with_every_verb_of_one_line() {
     for line in ["-a all read 372", "-a @ones identify", "-a all statemachine enable --yes"] {
         let refused = plant(line, [TWO, TWO, ONE]).exits(2).err;
         assert!(refused.contains("is not on the line of the others"), "{refused}");
-        assert!(refused.contains("`plan`, `apply` and `check` go over all"), "{refused}");
+        assert!(refused.contains("`plan`, `apply`, `check` and every stop go over all"), "{refused}");
     }
     let several = plant("-a all -p sim:{dir}/left.bench statemachine enable --yes", [TWO, TWO, ONE]).exits(2).err;
     assert!(several.contains("one drive"), "{several}");
