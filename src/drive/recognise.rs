@@ -14,8 +14,13 @@ use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
 use crate::profile::{Registry, Role, Type};
 use crate::protocol::Protocol;
+use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::{Exception, Reply, identification};
 use crate::text::{Text, both};
+use crate::tick::Span;
+
+/// A gateway that gave no word in all its time, not even that nobody answers it, has no more than this for the next one.
+const MUTE: Span = Span::from_secs(1);
 
 /// What was found out about a device.
 #[derive(Clone, Debug, Default)]
@@ -68,11 +73,14 @@ pub async fn recognise(
     let mut inquest = Inquest::new(session, registry, route);
     // Code 43 harms nobody: an ACTIVE refuses it without touching its error register, while an LXM05 would refuse the
     // status word of an ACTIVE, and forget its last synchronous error over it.
-    if matches!(route.protocol, Protocol::Modbus(_)) {
-        inquest.introduction().await?;
-    }
+    let is_silent = matches!(route.protocol, Protocol::Modbus(_)) && inquest.introduction().await?;
     if inquest.finding.drive.is_none() {
-        let answer = inquest.session.ask_patiently(address, &question).await?;
+        let mut limits = inquest.session.limits();
+        if is_silent && route.protocol == Protocol::Modbus(Framing::Tcp) {
+            limits.reply_timeout = limits.reply_timeout.min(MUTE);
+        }
+        let asks = async |session: &mut Session<'_>| session.ask_patiently(address, &question).await;
+        let answer = inquest.session.within(limits, asks).await?;
         inquest.goes_on(&answer, keep_register).await?;
     }
     if inquest.finding.drive.is_none() && inquest.fell_silent {

@@ -55,8 +55,10 @@ fn behind_gateway(question: &[u8], pdu: &[u8]) -> Vec<u8> {
 fn a_silent_gateway_is_asked_nothing_twice() {
     let _alone = alone();
     let (address, asked) = server(usize::MAX, |_| Vec::new());
-    let (exit, _, err) = Piped::run(&format!("-p mbtcp://{address} -a 1 --timeout 400ms read 411"));
+    let (exit, _, err) = Piped::run(&format!("-p mbtcp://{address} -a 1 --timeout 1500ms read 411"));
     assert_eq!(exit, Some(4), "{err}");
+    // The time-out is waited for once, and a second more.
+    assert!(err.contains("no reply within 1 s"), "{err}");
     // Who it is, and whether it is a drive.
     assert_eq!(asked.iter().map(|question| question[7]).collect::<Vec<u8>>(), [43, 3], "{err}");
 }

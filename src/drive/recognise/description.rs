@@ -9,15 +9,17 @@ use crate::text::{Text, both};
 
 impl Inquest<'_, '_> {
     /// Code 43, once, before anything else: tells the drive if the answer comes. If none comes, nothing is noted, because
-    /// [`Inquest::identification`] asks again where it matters.
-    pub(super) async fn introduction(&mut self) -> Result<(), AccessError> {
+    /// [`Inquest::identification`] asks again where it matters. Whether nothing came at all.
+    pub(super) async fn introduction(&mut self) -> Result<bool, AccessError> {
         let once = Limits { retries: 0, ..self.session.limits() };
         let answer = self.session.ask_within(self.route.address, describe_yourself(identification::VENDOR_NAME), once);
-        if let Ok(Said::Modbus(Reply::Identification(first))) = said(answer.await)? {
+        let answer = said(answer.await)?;
+        let is_silent = matches!(answer, Err(ExchangeError::Silence { .. }));
+        if let Ok(Said::Modbus(Reply::Identification(first))) = answer {
             let told = self.rest_of(first).await?;
             self.described(&told);
         }
-        Ok(())
+        Ok(is_silent)
     }
 
     /// Asks the device for its own description, code 43: the family whose product code it begins with. A lost reply is

@@ -40,6 +40,26 @@ fn a_source_that_changes_is_never_run_at_unseen() {
     assert!(seen[0] > 3 && seen[1] > 10, "{seen:?}");
 }
 
+/// Nor is a limit, whenever it is lowered: before the question, behind it, on the way up, where the ramp then stands still, or at the goal.
+#[test]
+fn a_limit_that_changes_is_never_run_at_unseen() {
+    let telegrams = antrieb(RUN).on(SUM).exits(0).sent().len();
+    let (mut before, mut later) = (0, 0);
+    for after in (1..40).chain((40..telegrams / 2).step_by(9)) {
+        let bench = format!("{SUM}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"419\" = 5 }}\n");
+        let run = antrieb(RUN).on(&bench).json();
+        match run.exit {
+            7 => before += 1,
+            exit => {
+                later += 1;
+                assert_eq!((exit, &run.error()["code"]), (8, &json!("forbidden.otherwise")), "{after}: {}", run.value);
+                assert!(run.err.contains("P.419"), "{after}: {}", run.err);
+            }
+        }
+    }
+    assert!(before > 2 && later > 10, "{before} {later}");
+}
+
 /// What the run itself has set stands in the data set that was in force then.
 #[test]
 fn another_data_set_in_the_run_ends_it_also_where_the_run_chose_its_source() {

@@ -58,6 +58,16 @@ fn a_drive_that_keeps_its_control_runs_on_and_is_not_called_stopped() {
     assert!(words.last().unwrap().1.starts_with("00 00"), "{words:?}");
 }
 
+/// A word that it refuses counts for nothing: it runs as before, and there is nothing to stop.
+#[test]
+fn a_drive_that_refuses_the_word_before_its_control_runs_on_and_is_not_called_stopped() {
+    let bench = format!("{}[[drive.event]]\nat = \"0s\"\nrefuses = 410\n", running(0, 0));
+    let run = antrieb(HELD).on(&bench).json().exits(6);
+    assert_eq!(run.data("/stop"), &json!(null), "{:#}", run.value);
+    assert_eq!(run.data("/running"), &json!(true), "{:#}", run.value);
+    assert!(!run.err.contains("> 01 06 61 9C"), "{}", run.err);
+}
+
 /// Whoever interrupts between the word and the control gets a drive that runs as before, or one that is stopped.
 #[test]
 fn an_interrupt_on_the_way_leaves_no_word_behind_and_stops_what_was_taken() {
