@@ -18,6 +18,8 @@ pub struct FileRules {
     pub asked: Vec<u32>,
     /// Known not to be writable while the drive runs. What stands in no list is not known to be writable either.
     pub standstill: Vec<u32>,
+    /// What takes a place that others may want, and gives it free by its factory setting: that goes first, there and back.
+    pub frees: Vec<u32>,
     /// What the drive changes by itself behind a write.
     pub alters: Vec<Alters>,
 }
@@ -78,6 +80,11 @@ impl FileRules {
         }
     }
 
+    /// Whether this value gives a place free that others may want.
+    pub fn frees(&self, param: &Param, raw: i64) -> bool {
+        param.default == Some(raw) && self.frees.contains(&param.id)
+    }
+
     /// Whether it can start a shaft.
     pub fn may_start(&self, param: &Param) -> bool {
         self.last.contains(&param.id)
@@ -90,7 +97,7 @@ impl FileRules {
 
     /// Every number that these rules name.
     pub(super) fn numbers(&self) -> impl Iterator<Item = u32> {
-        let lists = [&self.first, &self.last, &self.asked, &self.standstill].into_iter().flatten();
+        let lists = [&self.first, &self.last, &self.asked, &self.standstill, &self.frees].into_iter().flatten();
         lists.chain(self.alters.iter().flat_map(|row| row.what.iter().chain([&row.by]))).copied()
     }
 }

@@ -105,6 +105,53 @@ fn a_plan_goes_into_its_drives_over_the_bus_and_back() {
     back.on(&bench).exits(0);
 }
 
+/// A byte of a TxPDO that changes its user: given free before it is taken, there, on the way back, and by the undo file.
+#[test]
+fn a_byte_is_given_free_before_it_is_taken() {
+    let plan = "[bus]\nmaster = \"external\"\nrate = 500\n[drives.a]\nnode = 1\n[[pdo]]\nfrom = \"a\"\nnumber = 1\nevery = 8\n\
+                identifier = 385\nput = { PUT }\n";
+    for (stands, put) in [
+        ("\"955\" = 62", "word4 = 740"),
+        ("\"953\" = 740", "long2 = 62"),
+        ("\"953\" = 740", "boolean3 = 161, word4 = 741"),
+    ] {
+        let bench = format!("[readings]\nshared_byte = \"abort-1\"\n{}", on_bus(&[(1, stands)]));
+        let plan = plan.replace("PUT", put);
+        let apply = "--protocol sdo --yes systembus apply {dir}/bus.toml";
+        let run = antrieb(apply).on(&bench).file("bus.toml", &plan).exits(0);
+        let all = |bus: &antrieb::simulator::Can| (946..=955).map(|id| bus.eeprom(1, id, 0)).collect::<Vec<_>>();
+        let then = witness::left_can().unwrap();
+        let rows = (900..=989).filter_map(|id| Some(format!("\"{id}\" = {}", then.eeprom(1, id, 0)?)));
+        let bench =
+            format!("[readings]\nshared_byte = \"abort-1\"\n{}", on_bus(&[(1, &rows.collect::<Vec<_>>().join(", "))]));
+        run.then("--protocol sdo -a 1 --yes dataset undo {dir}/bus-a.undo.toml").on(&bench).exits(0);
+        let undone = witness::left_can().unwrap();
+        assert_ne!(all(&then), all(&undone));
+        // Another drive fails, and this one goes back.
+        let (place, taker) = if put.contains("long2") { ("long2", 137) } else { ("word4", 99) };
+        let both = format!(
+            "{plan}[[pdo.to]]\ndrive = \"b\"\nnumber = 1\ntake = {{ {place} = {taker} }}\n[drives.b]\nnode = 2\nrx-functions = \"0-1\"\n"
+        );
+        let worn = on_bus(&[(2, "")]) + &format!("eeprom = {{ \"{taker}\" = \"refuses\" }}\n");
+        let failing = format!("[readings]\nshared_byte = \"abort-1\"\n{}{worn}", on_bus(&[(1, stands)]));
+        let run = antrieb(apply).on(&failing).file("bus.toml", &both).run();
+        assert!(run.exit != 0 && run.out.contains("restored"), "{}", run.out);
+        assert_eq!(all(&witness::left_can().unwrap()), all(&undone), "{}\n{}", run.out, run.err);
+    }
+}
+
+/// A drive behind its master, over the plug of that one.
+#[test]
+fn a_node_behind_a_drive_shows_itself() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 3\nprotocol = \"vabus\"\nmodules = [\"EM-RES-03\"]\nset = { \"900\" = 0 }\n\
+                 [[drive.nodes]]\nid = 17\nmodel = \"acu\"\nmodules = [\"EM-RES-03\"]\n\
+                 set = { \"900\" = 17, \"930\" = 1, \"950\" = 740 }\n";
+    let of =
+        |address: &str| antrieb(&format!("--protocol vabus -a {address} systembus show")).on(bench).json().exits(0);
+    assert_eq!((of("3").data("/drives/0/node"), of("3.17").data("/drives/0/node")), (&json!(0), &json!(17)));
+    assert_eq!(*of("3.17").data("/drives/0/sent/0/places/0/source"), json!(740));
+}
+
 #[test]
 fn a_line_is_opened_once() {
     for (verb, code) in [("check", 1), ("apply", 0)] {

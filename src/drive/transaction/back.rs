@@ -226,7 +226,7 @@ fn back_sorted(mut order: Vec<Kept>, rules: &FileRules) -> Vec<Kept> {
         1 | 2 => 2,
         _ => 0,
     };
-    order.sort_by_key(|kept| (stage(kept), kept.set >= ram, Reverse(rank(kept))));
+    order.sort_by_key(|kept| (stage(kept), kept.set >= ram, !rules.frees(&kept.param, kept.raw), Reverse(rank(kept))));
     order.dedup_by(|one, other| (one.param.id, one.set) == (other.param.id, other.set));
     order
 }

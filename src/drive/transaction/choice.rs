@@ -68,7 +68,10 @@ impl Choice {
                 goes => left_out.extend(why(goes).map(|why| describe::left_out(&setting.param, setting.set, why))),
             }
         }
-        steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
+        steps.sort_by_key(|step| {
+            let rank = family.files.rank(&step.param, step.set);
+            (rank.0, !family.files.frees(&step.param, step.raw), rank)
+        });
         Ok((steps, left_out))
     }
 
