@@ -26,7 +26,7 @@ pub use live::{configured, everybody, live, questions, slave_diag};
 pub use looked::{LOOKED_AT, fault, leds};
 pub use mode::{Mode, Ramps, Seen, basic_block};
 pub use read::Haul;
-pub use run::{Lending, Rights, Run};
+pub use run::{Bounds, Lending, Rights, Run};
 pub use shown::Shown;
 pub use state::of as state;
 pub use trouble::motion::coasting;

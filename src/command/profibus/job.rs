@@ -28,6 +28,8 @@ pub(in crate::command) struct Job<'j> {
     pub(in crate::command) motion: &'j MotionArgs,
     pub(in crate::command) slave: &'j SlaveArgs,
     pub(in crate::command) choice: Choice,
+    /// The setpoint is waited for: what that means for a run.
+    pub(in crate::command) until: Option<Text>,
 }
 
 /// A setpoint as it was typed: `20Hz`, `-12.5Hz`, `30%`.

@@ -10,7 +10,7 @@ use super::told::{Told, report};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::running::unsent;
 use crate::command::{Context, asking};
-use crate::drive::profibus::{self, Course, Exchange, Lending, Mode, Ramps, Rights, Shown, WATCHDOG, Wanted};
+use crate::drive::profibus::{self, Bounds, Course, Exchange, Lending, Mode, Ramps, Rights, Shown, WATCHDOG, Wanted};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Motion, Permit, Question, Relief};
 use crate::outcome::{Data, Event, Outcome, Plan};
@@ -109,7 +109,8 @@ async fn run_it(
     let _agreed: Permit<Motion> = agreed?.map_err(asking::denied)?;
     let wait = job.motion.wait.unwrap_or(WAIT);
     let mut shown = Shown::begin(exchange, family, job.word, (wanted, job.stop(mode)));
-    exchange.run(wanted, (&rights, lending), (wait, job.motion.duration), (&mut told.run, &mut shown)).await
+    let bounds = Bounds { wait, duration: job.motion.duration, until: job.until.is_some() };
+    exchange.run(wanted, (&rights, lending), bounds, (&mut told.run, &mut shown)).await
 }
 
 /// What a run over PROFIBUS needs, and what it does not know.
@@ -165,6 +166,7 @@ fn asks(
         Mode::Profidrive => by_profidrive(wanted, rights, lending),
         Mode::Basic(ramps) => by_basic(ramps),
     });
+    details.extend(job.until.clone());
     let stop = match job.motion.on_exit {
         _ if mode.is_basic() => both!("no run bit (0050): the ramp", "kein Startbit (0050): die Rampe"),
         StopArg::Coast => {

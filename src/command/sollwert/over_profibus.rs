@@ -1,6 +1,7 @@
 //! `sollwert` with PROFIBUS spoken: a run that this program holds, or a stop.
 
 use super::Args;
+use super::told::begins_later;
 use crate::command::profibus::job::{Action, Job, is_zero, wanted};
 use crate::command::profibus::run::run as run_one;
 use crate::command::profibus::spoken::{Choice, ramps};
@@ -17,7 +18,6 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
         ("--profile", args.profile.is_some()),
         ("--start", args.start.is_some()),
         ("--source", args.source.is_some()),
-        ("--until", args.until.is_some()),
         ("--step", keypad.step.is_some()),
     ])?;
     let spoken = args.mode.as_deref().map(str::parse).transpose();
@@ -51,6 +51,13 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
     if matches!(action, Action::Stop(_)) {
         motion = motion.of_a_stop();
     }
-    let job = Job { action, word: "sollwert", motion: &motion, slave: &args.slave, choice };
+    let job = Job {
+        action,
+        word: "sollwert",
+        motion: &motion,
+        slave: &args.slave,
+        choice,
+        until: args.until.map(|_| begins_later()),
+    };
     run_one(&job, context).await
 }

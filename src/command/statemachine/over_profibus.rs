@@ -28,7 +28,11 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
         ) => return Err(not_held()),
     };
     let motion = motion.of_a_stop();
-    run::run(&Job { action, word, motion: &motion, slave: &args.slave, choice: args.mode.choice() }, context).await
+    run::run(
+        &Job { action, word, motion: &motion, slave: &args.slave, choice: args.mode.choice(), until: None },
+        context,
+    )
+    .await
 }
 
 /// The state of a slave is that of the word which this program sends it in every cycle.

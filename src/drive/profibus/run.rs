@@ -16,6 +16,8 @@ const TOLERANCE: i64 = 4;
 /// Cycles with the word that prepares, at least.
 const PREPARED: u32 = 3;
 
+/// No ramp is waited for longer: the longest from 0 to A004 is 3000 s (5.5 index 7).
+const LONGEST: Span = Span::from_secs(3_000);
 /// Who controls (5.3), and the setpoint, 0.01 Hz (5.3).
 const WHO: u16 = 600;
 const SETPOINT: u16 = 611;
@@ -49,6 +51,17 @@ pub struct Lending {
     pub control: bool,
     /// P.703 = 2.
     pub stops: bool,
+}
+
+/// How a run is bounded.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// How long is waited for what a word should do.
+    pub wait: Span,
+    /// How long it is held; `None` until somebody ends it.
+    pub duration: Option<Span>,
+    /// The duration begins as the setpoint is reached.
+    pub until: bool,
 }
 
 impl Rights {
@@ -98,10 +111,10 @@ impl Exchange<'_, '_> {
         &mut self,
         wanted: Wanted,
         (rights, lending): (&Rights, Lending),
-        (wait, duration): (Span, Option<Span>),
+        bounds: Bounds,
         (run, shown): (&mut Run, &mut Shown),
     ) -> Result<(), Failure> {
-        let done = self.starts(wanted, (rights, lending), (wait, duration), (run, shown)).await;
+        let done = self.starts(wanted, (rights, lending), bounds, (run, shown)).await;
         done.map_err(|failure| if failure.class == Class::Interrupted { trouble::ended() } else { failure })
     }
 
@@ -109,9 +122,10 @@ impl Exchange<'_, '_> {
         &mut self,
         wanted: Wanted,
         (rights, lending): (&Rights, Lending),
-        (wait, duration): (Span, Option<Span>),
+        bounds: Bounds,
         (run, shown): (&mut Run, &mut Shown),
     ) -> Result<(), Failure> {
+        let Bounds { wait, duration, until } = bounds;
         let (value, is_hertz) = match wanted {
             Wanted::Hertz(value) => (value, true),
             Wanted::Percent(value) => (value, false),
@@ -146,6 +160,9 @@ impl Exchange<'_, '_> {
         };
         self.start(Words { stw: word, hsw }, wait, run).await?;
         self.turns(hsw, wait, run).await?;
+        if until {
+            self.reaches(hsw, (wait, maximum), run, shown).await?;
+        }
         self.hold((hsw, maximum), duration, run, shown).await
     }
 
@@ -289,6 +306,38 @@ impl Exchange<'_, '_> {
         }
     }
 
+    /// Waits until the frequency is the setpoint: that alone tells, because a bit may still mean the setpoint before. A frequency that
+    /// stays somewhere else for so long is no ramp.
+    async fn reaches(
+        &mut self,
+        hsw: u16,
+        (wait, maximum): (Span, i64),
+        run: &mut Run,
+        shown: &mut Shown,
+    ) -> Result<(), Failure> {
+        let begun = self.line.now();
+        let mut moved = (0, begun);
+        loop {
+            let seen = self.obeying().await?;
+            let now = self.line.now();
+            run.actual = Some(seen.hiw);
+            shown.sees(self, seen, maximum);
+            if self.is_near(seen, hsw) {
+                return Ok(());
+            }
+            if moved.0 != seen.hiw {
+                moved = (seen.hiw, now);
+            }
+            if now.since(moved.1) > wait || now.since(begun) > LONGEST {
+                return Err(trouble::not_reached(self.address()));
+            }
+        }
+    }
+
+    fn is_near(&self, seen: Seen, hsw: u16) -> bool {
+        seen.hiw.unsigned_abs().abs_diff(hsw.into()) <= self.mode().close()
+    }
+
     async fn hold(
         &mut self,
         (hsw, maximum): (u16, i64),
@@ -301,8 +350,7 @@ impl Exchange<'_, '_> {
         while end.is_none_or(|end| self.line.now() < end) {
             let seen = self.obeying().await?;
             run.actual = Some(seen.hiw);
-            let is_near = seen.hiw.unsigned_abs().abs_diff(hsw.into()) <= self.mode().close();
-            run.reached = Some(is_near || seen.is_reached());
+            run.reached = Some(self.is_near(seen, hsw) || seen.is_reached());
             shown.sees(self, seen, maximum);
         }
         Ok(())

@@ -77,6 +77,29 @@ fn a_setpoint_above_the_maximum_is_told_as_not_reached() {
 }
 
 #[test]
+fn its_time_begins_where_the_setpoint_is_reached() {
+    let profidrive = "sollwert 20Hz --enable --hold --duration 3s --take-control --watchdog 2s";
+    for (line, start) in [(RUN, 0x0051), (profidrive, 0x047F)] {
+        for (until, least, most) in [("", 2_000, 2_500), (" --until reached", 3_000, 3_100)] {
+            let ramps = format!("{RESTS}, \"7\" = -200, \"9\" = -200");
+            let came =
+                does(&format!("{line}{until}"), &module(&ramps, "reached_at_rest = \"yes\"", ""), Hand::default());
+            assert_eq!(came.code(), ("", 0), "{line}{until}: {:?}", came.failure());
+            came.holds(line);
+            let moments = came.moments();
+            let last = moments.iter().rev().find(|moment| matches!(moment.said, Said::Words(word, _) if word == start));
+            let first = moments.iter().find(|moment| moment.shaft >= 1_990).unwrap();
+            let held = last.unwrap().at.since(first.at).as_millis();
+            assert!((least..=most).contains(&held), "{line}{until}: {held} ms");
+        }
+    }
+    let came = does(&RUN.replace("20Hz", "60Hz --until reached"), &module(RESTS, "", ""), Hand::default());
+    assert_eq!(came.code(), ("no.not_reached", 1), "{:?}", came.failure());
+    came.holds("60Hz, and 50 at most");
+    assert_eq!(came.motion().standing, Some(true));
+}
+
+#[test]
 fn what_the_basic_block_has_no_word_for_is_refused_before_anything_is_taken() {
     for (line, code) in [
         (RUN.replace("20Hz", "40%"), "usage.setpoint"),

@@ -146,6 +146,18 @@ pub(in crate::drive::profibus) fn turns_not(address: u8) -> Failure {
     ))
 }
 
+/// The frequency stays somewhere else than at the setpoint.
+pub(in crate::drive::profibus) fn not_reached(address: u8) -> Failure {
+    let message = both!(
+        "station {address}: the setpoint is not reached, and the frequency no longer changes",
+        "Station {address}: der Sollwert wird nicht erreicht, und die Frequenz ändert sich nicht mehr"
+    );
+    Failure::new(Class::No, "no.not_reached", message).with("address", address).hint(both!(
+        "is it above A004 or A061, or held back by a current limit (b021)?",
+        "liegt er über A004 oder A061, oder hält eine Stromgrenze (b021) ihn zurück?"
+    ))
+}
+
 /// Somebody ended a run.
 pub(in crate::drive::profibus) fn ended() -> Failure {
     Failure::new(Class::Interrupted, "interrupted", both!("interrupted", "unterbrochen"))
