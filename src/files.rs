@@ -352,7 +352,8 @@ mod tests {
         assert_eq!(read(&at("text"), 3).unwrap(), "abc");
         assert_eq!(read(&at("link"), 3).unwrap(), "abc");
         assert_eq!(told(read(&at("text"), 2)), "expected at most 0 MiB, the file is longer");
-        assert_eq!(told(read(&at("bytes"), 3)), "expected a text in UTF-8, byte 3 is none");
+        let no_text = "line 1, column 3: expected a text in UTF-8; an editor can save the file so";
+        assert_eq!(told(read(&at("bytes"), 3)), no_text);
         for (path, kind) in [
             (at("pipe"), "a pipe"),
             (at("socket"), "a socket"),
