@@ -433,8 +433,16 @@ pub fn to_wire(raw: i64, kind: Type) -> Result<u32, ValueError> {
 pub fn format_value(param: &Param, bits: u32, long: bool) -> String {
     let (width, usual) = if long { (32, Type::Long) } else { (16, Type::Word) };
     let kind = param.kind.filter(|kind| kind.bits() == Some(width)).unwrap_or(usual);
-    let number = written(param, from_wire(bits, kind, param.min));
-    param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
+    value_text(param, from_wire(bits, kind, param.min))
+}
+
+/// A value of a parameter with its unit: `1450 1/min`, or `raw 1234` where no source tells where its point stands.
+pub fn value_text(param: &Param, raw: i64) -> String {
+    match &param.unit {
+        Some(_) if !param.has_scale() => format!("raw {raw}"),
+        Some(unit) => format!("{} {unit}", written(param, raw)),
+        None => written(param, raw),
+    }
 }
 
 #[cfg(test)]

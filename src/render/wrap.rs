@@ -7,7 +7,7 @@ const HANGING: usize = 2;
 
 /// The text in lines of at most so many columns, broken between words; a longer word, and so a number or a path, stays whole. What
 /// is to be copied stays on one line where it fits there: what stands in backticks, and options with what belongs to them.
-pub(in crate::render) fn wrap(text: &str, columns: Option<u16>) -> String {
+pub fn wrap(text: &str, columns: Option<u16>) -> String {
     let Some(columns) = columns.map(usize::from).filter(|&columns| text.width() > columns) else {
         return text.to_owned();
     };

@@ -3,9 +3,8 @@
 use super::file::{Head, Provenance, SavedDrive, VERSION};
 use super::settings::{Setting, Settings};
 use crate::profile::family::Family;
-use crate::profile::param::Param;
 use crate::profile::select::Store;
-use crate::profile::value;
+use crate::profile::value::{self, value_text};
 use crate::text::{Lang, Text};
 use serde::Serialize;
 use std::fmt::Write;
@@ -63,15 +62,6 @@ pub fn print_undo(head: &Head, old: &Settings, (new, store): (&Settings, Store),
     let _ = write!(text, "memory = \"{memory}\"\n\n[undo.values]\n");
     text.extend(new.iter().map(|setting| line(setting, family, head.lang)));
     text
-}
-
-/// A value as a file holds it and as it is typed: `1450 1/min`, or `raw 1234` where nobody knows its decimals.
-pub fn value_text(param: &Param, raw: i64) -> String {
-    match &param.unit {
-        Some(_) if !param.has_scale() => format!("raw {raw}"),
-        Some(unit) => format!("{} {unit}", value::written(param, raw)),
-        None => value::written(param, raw),
-    }
 }
 
 /// The line of a setting: `"372@2" = "1450 1/min"  # rated-speed`; in German its name stands behind the slug.

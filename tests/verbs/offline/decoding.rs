@@ -288,3 +288,10 @@ fn a_recording_follows_a_drive_to_another_protocol() {
     let protocols: Vec<_> = telegrams.iter().map(|telegram| telegram["protocol"].as_str().unwrap()).collect();
     assert_eq!(protocols, ["vabus", "vabus", "rtu", "rtu", "rtu", "ascii"]);
 }
+
+/// A value whose point no source places is no value with a unit.
+#[test]
+fn what_has_no_known_decimals_is_told_as_the_integer() {
+    let told = antrieb("--drive acu decode telegram 02 65 01 A1 00 00 01 F4 48 CB").run();
+    assert!(told.out.contains("= raw 500") && !told.out.contains("500 Hz"), "{}", told.out);
+}

@@ -2,6 +2,7 @@
 //! `UPDATE=1 cargo test --test verbs screens` writes them anew.
 
 use crate::run::{Run, antrieb, verbs};
+use antrieb::render::wrap;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
@@ -145,7 +146,9 @@ fn screens(lines: &[&str], lang: &str) -> String {
         let place = output.directory().display().to_string();
         // A line that is refreshed shows its last state.
         let out: Vec<_> = output.out.lines().map(|row| row.rsplit('\r').next().unwrap_or("").trim_end()).collect();
-        let shown = format!("{}\n{}", out.join("\n"), output.err).replace(&place, ".");
+        // As a terminal has it: broken where the program breaks it there.
+        let err: String = output.err.replace(&place, ".").lines().map(|row| wrap(row, Some(80)) + "\n").collect();
+        let shown = format!("{}\n{err}", out.join("\n").replace(&place, "."));
         // What was heard is shown whole, however long a telegram is.
         for row in out.iter().filter(|_| !line.starts_with("sniff")) {
             assert!(row.width() <= 80, "{line}: {} columns\n{row}", row.width());

@@ -4,7 +4,7 @@ use super::super::{Reader, field};
 use super::{Told, names};
 use crate::drive::describe;
 use crate::outcome::Field;
-use crate::profile::value::{from_wire, written};
+use crate::profile::value::{from_wire, value_text};
 use crate::profile::{Param, Type};
 use crate::protocol::can::sdo::{AbortCode, Initiate, Multiplexer, Reply, Request, Segment};
 use crate::protocol::can::{LAST_DRIVE, Payload, SdoChannel};
@@ -112,8 +112,7 @@ impl Reader<'_> {
         let kind = param.kind.or_else(|| presumed(param, bits));
         let Some(kind) = kind.filter(|kind| fits(*kind, bits)) else { return (None, untold) };
         let raw = from_wire(bits, kind, param.min);
-        let unit = param.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
-        let number = format!("{}{unit}", written(param, raw));
+        let number = value_text(param, raw);
         let value = match family.text_of(param, raw) {
             Some(text) => both!("{number} ({text})", "{number} ({text})", text),
             None => Text::name(number),
