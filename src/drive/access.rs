@@ -4,7 +4,13 @@ use super::pump::PumpError;
 use super::route::No;
 use crate::exchange::ExchangeError;
 use crate::profile::Family;
+use crate::protocol::modbus::pdu::Exception;
 use crate::transport::LinkError;
+
+/// Error register: the width of the telegram is not the one of the parameter (CM-485 manual 6.6).
+const WRONG_WIDTH: u16 = 14;
+/// Error register: wrong type (CM-485 manual 6.6).
+const WRONG_TYPE: u16 = 10;
 
 /// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
 const SETS_DIFFER: u16 = 9;
@@ -25,6 +31,15 @@ impl Refusal {
     pub fn denies(self, family: &Family) -> bool {
         let row = self.cause.and_then(|cause| family.error(cause.into()));
         row.is_some_and(|row| row.denies)
+    }
+
+    /// Whether it may be the width alone that was wrong: by its cause, or because an address is refused without one.
+    pub fn is_of_width(self) -> bool {
+        match (self.no, self.cause) {
+            (No::Exception(_) | No::Nak, Some(WRONG_WIDTH | WRONG_TYPE)) => true,
+            (No::Exception(code), None | Some(0)) => code == Exception::IllegalDataAddress,
+            _ => false,
+        }
     }
 
     /// Whether it says so if it is said twice: the code of the refusal is of what was asked, and there is no cause beside it. Once, a

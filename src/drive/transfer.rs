@@ -1,18 +1,12 @@
 //! Reading parameters of one drive: widths, data sets, refusals, what is cleared by reading.
 
 use super::access::{AccessError, Refusal};
-use super::route::{Cell, Content, Inquiry, No, Width, no};
+use super::route::{Cell, Content, Inquiry, Width, no};
 use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError};
 use crate::profile::{DataSets, Param, Role, Sets, Type, value};
 use crate::protocol::Protocol;
-use crate::protocol::modbus::pdu::Exception;
-
-/// Error register: the width of the telegram is not the one of the parameter (CM-485 manual 6.6).
-const WRONG_WIDTH: u16 = 14;
-/// Error register: wrong type (CM-485 manual 6.6).
-const WRONG_TYPE: u16 = 10;
 
 /// A value as it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,16 +70,7 @@ impl Target {
             Err(error) => error,
         };
         let doubtful = stated.is_none() || param.unconfirmed.iter().any(|field| field == "type" || field == "row");
-        let width = matches!(
-            &error,
-            AccessError::Refused(Refusal { cause: Some(WRONG_WIDTH | WRONG_TYPE), no: No::Exception(_) | No::Nak, .. })
-                | AccessError::Refused(Refusal {
-                    no: No::Exception(Exception::IllegalDataAddress),
-                    cause: None | Some(0),
-                    ..
-                })
-        );
-        if !(doubtful && width) {
+        if !(doubtful && error.refusal().is_some_and(Refusal::is_of_width)) {
             return Err(error);
         }
         let second = if first.bits() == Some(32) { Type::Word } else { Type::Long };

@@ -156,12 +156,15 @@ impl Work<'_, '_> {
         }
     }
 
-    /// Asks for a parameter, and once more where nobody knows why it was refused.
+    /// Asks for a parameter, and once more where nobody knows why it was refused, or where another width may be the right one.
     async fn ask(&mut self, one: &Asking) {
-        let mut rows = self.read(one).await;
+        let presumed = presumed(&one.param);
+        let mut rows = self.read(&presumed, &one.sets).await;
         let first = refusal(&rows);
-        if first.is_some_and(|first| !first.denies(&self.target.family)) {
-            rows = self.read(one).await;
+        if first.is_some_and(Refusal::is_of_width) {
+            rows = self.read(&doubted(&presumed), &one.sets).await;
+        } else if first.is_some_and(|first| !first.denies(&self.target.family)) {
+            rows = self.read(&presumed, &one.sets).await;
         }
         let denies =
             |last: Refusal| last.denies(&self.target.family) || first == Some(last) && last.denies_if_repeated();
@@ -169,17 +172,16 @@ impl Work<'_, '_> {
         self.take(&one.param, rows, is_denied);
     }
 
-    async fn read(&mut self, one: &Asking) -> Rows {
+    async fn read(&mut self, param: &Param, asked: &[DataSets]) -> Rows {
         let mut rows = Vec::new();
-        let asked = presumed(&one.param);
-        for &sets in &one.sets {
-            rows.extend(self.target.read(self.session, &asked, sets).await);
+        for &sets in asked {
+            rows.extend(self.target.read(self.session, param, sets).await);
             if rows.iter().any(|(_, row)| row.is_err()) {
                 break;
             }
         }
         // Where the answer that told why was lost, the four were asked although they are equal.
-        match one.sets.as_slice() {
+        match asked {
             [DataSets::Unnamed] => all_at_once(rows),
             _ => rows,
         }
@@ -297,10 +299,13 @@ fn all_at_once(rows: Rows) -> Rows {
 /// has 32 bits. The drive is right where it says otherwise.
 fn presumed(param: &Param) -> Param {
     match (param.kind, param.unit.as_deref()) {
-        (None, Some("Hz")) => {
-            let unconfirmed = param.unconfirmed.iter().cloned().chain(["type".to_owned()]).collect();
-            Param { kind: Some(Type::Long), unconfirmed, ..param.clone() }
-        }
+        (None, Some("Hz")) => doubted(&Param { kind: Some(Type::Long), ..param.clone() }),
         _ => param.clone(),
     }
+}
+
+/// A parameter whose width the drive may say otherwise.
+fn doubted(param: &Param) -> Param {
+    let unconfirmed = param.unconfirmed.iter().cloned().chain(["type".to_owned()]).collect();
+    Param { unconfirmed, ..param.clone() }
 }

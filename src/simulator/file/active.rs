@@ -60,6 +60,7 @@ impl BenchFile<'_> {
         setup.resolver = row.resolver.as_ref().map(|table| self.resolver(table)).transpose()?;
         setup.analog = row.analog.as_ref().map_or(Ok(setup.analog), |table| self.analog(table))?;
         setup.four.clone_from(&row.four);
+        setup.other_width.clone_from(&row.other_width);
         self.equip(&row.modules, &row.set, family, &mut setup)?;
         for (key, word) in &row.eeprom {
             let (param, set) = self.cell(key, word.span(), family, &setup)?;

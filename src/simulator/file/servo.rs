@@ -216,6 +216,7 @@ fn foreign_key(row: &DriveTable) -> Option<&'static str> {
         ("modules", !row.modules.is_empty()),
         ("eeprom", !row.eeprom.is_empty()),
         ("four", !row.four.is_empty()),
+        ("other_width", !row.other_width.is_empty()),
         ("registers", !row.registers.is_empty()),
         ("busy", row.busy),
         ("nodes", !row.nodes.is_empty()),

@@ -69,6 +69,8 @@ pub(crate) struct DriveTable {
     #[serde(default)]
     pub(crate) four: Vec<u32>,
     #[serde(default)]
+    pub(crate) other_width: Vec<u32>,
+    #[serde(default)]
     pub(crate) eeprom: BTreeMap<String, Spanned<String>>,
     #[serde(default)]
     pub(crate) readings: BTreeMap<String, Spanned<String>>,

@@ -371,6 +371,19 @@ fn a_save_that_is_gone_on_with_without_its_catalogue_is_not_complete() {
     assert!(on.err.contains("the catalogues and options with which the save was begun"), "{}", on.err);
 }
 
+/// Another firmware has another width than the catalogue: the drive has the parameter, and says so.
+#[test]
+fn a_width_that_a_catalogue_is_wrong_about_costs_no_value() {
+    for unknown in ["4", "2"] {
+        let odd = "other_width = [372, 480]\nset = { \"372@2\" = 1450, \"480\" = 7.25 }";
+        let bench = format!("[[drive]]\nmodel = \"acu\"\n{odd}\nreadings = {{ unknown_parameter = \"{unknown}\" }}\n");
+        let saved = antrieb("-a 1 dataset save {dir}/a.toml").on(&bench).exits(0).text_of("a.toml");
+        for line in ["\"372@2\" = \"1450 1/min\"", "\"480\" = \"7.25 Hz\""] {
+            assert!(values(&saved).iter().any(|value| value.starts_with(line)), "{saved}");
+        }
+    }
+}
+
 /// Half of a file that was copied to a stick.
 #[test]
 fn a_file_that_is_not_what_was_saved_is_told_before_it_is_loaded() {

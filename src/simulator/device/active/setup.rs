@@ -36,6 +36,8 @@ pub(crate) struct Setup {
     pub(crate) values: Vec<(u32, u8, i64)>,
     /// Parameters that exist in four data sets, where no source says so.
     pub(crate) four: Vec<u32>,
+    /// Parameters with 16 bits where the catalogue says 32, and 32 where it says 16.
+    pub(crate) other_width: Vec<u32>,
     /// Number, data set (0 for all), and how its EEPROM takes a write.
     pub(crate) faulty: Vec<(u32, u8, Fault)>,
     /// What sources tell that this bench does not work out.
@@ -59,6 +61,7 @@ impl Setup {
             modules: Vec::new(),
             values: Vec::new(),
             four: Vec::new(),
+            other_width: Vec::new(),
             faulty: Vec::new(),
             sources: BTreeMap::new(),
             texts: BTreeMap::new(),

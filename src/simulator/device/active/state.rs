@@ -9,7 +9,7 @@ use super::resolver::Resolver;
 use super::setup::{Contacts, Setup};
 use super::spec::{Spec, specs};
 use super::store::{Cell, Store};
-use crate::profile::Family;
+use crate::profile::{Family, Type};
 use crate::simulator::device::shaft::Ramps;
 use crate::tick::Tick;
 use std::collections::{BTreeMap, BTreeSet};
@@ -72,6 +72,9 @@ impl Active {
         };
         for (number, spec) in &mut active.specs {
             spec.four |= setup.four.contains(number);
+            if setup.other_width.contains(number) {
+                spec.kind = if spec.kind.bits() == Some(32) { Type::Word } else { Type::Long };
+            }
         }
         for (&number, spec) in &active.specs {
             for set in cells(spec, 0) {
