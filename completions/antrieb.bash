@@ -3092,7 +3092,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__monitor)
-            opts="-p -a -b -q -v -h --interval --gather --for --duration --count --reconnect --line --textfile --record --trigger --pre --post --once --unpaced --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --interval --gather --for --duration --count --reconnect --line --textfile --record --trigger --pre --post --once --unpaced --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3135,6 +3135,18 @@ _antrieb() {
                     return 0
                     ;;
                 --post)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --slot-time)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --mode)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -4,16 +4,18 @@
 //! goes on with the next drive. What is sampled goes out as records at once; only the first round is held back until
 //! it is known what there is to watch.
 
+mod over_profibus;
 mod record;
 mod trigger;
 
 pub use record::recording;
 
 use super::output::of_file;
+use super::profibus::{ModeArg, SlaveArgs};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, addresses_to_read, check_number, connect, offline, output, plan, read_question, terms};
 use crate::args::{Settings, Takes, Template, called, parse_span, templates};
-use crate::drive::{Chosen, Item, Place, Rounds, Signal, Upper, When, Window, watch};
+use crate::drive::{Calls, Chosen, Item, Place, Rounds, Signal, Upper, When, Window, watch};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{Outcome, Record};
@@ -22,7 +24,7 @@ use crate::text::{Wrong, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Watches drives: state, setpoint, actual value, current, fault.
 ///
@@ -35,6 +37,9 @@ use std::path::PathBuf;
 /// --reconnect waits for it.
 ///
 /// Parameters are named as for `read`.
+///
+/// Over PROFIBUS (--protocol dp) a slave is taken for it, held by the stop word, and let go. Status word, setpoint and frequency come with
+/// every exchange, with --interval 0 at the speed of the bus; other parameters are asked for, over PKW.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// 210, 480@2, rated-speed, @actual
@@ -114,15 +119,24 @@ pub struct Args {
     /// Minutes of the bench take milliseconds.
     #[arg(long, hide_short_help = true)]
     pub unpaced: bool,
+
+    /// How a slave is taken.
+    #[command(flatten)]
+    pub slave: SlaveArgs,
+    /// How it is led.
+    #[command(flatten)]
+    pub mode: ModeArg,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "monitor";
     const TAKES: Takes = Takes::READS;
+    const PROFIBUS: bool = true;
     const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1,2 monitor --count 3 --interval 500ms",
         "antrieb --port sim -a 1 monitor @actual --duration 1m --unpaced --format csv",
+        "antrieb --port sim --protocol dp -a 3 monitor --interval 0 --count 9 --yes",
         "antrieb -p sim monitor --count 9 --record run.csv --trigger 'current > 12A'",
     ];
     const UPPER: Upper = Upper::drive(30).each(12, "parameter in each round").unless(
@@ -156,6 +170,9 @@ pub fn keeper(path: PathBuf) -> io::Result<impl FnMut(&str) -> io::Result<()>> {
 /// Watches until the count or the time is over, the port is lost, or somebody ends it.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = Wanted::of(args, context.settings)?;
+    if args.mode.is_meant(&args.slave, context.settings)? {
+        return over_profibus::run(args, wanted, context).await;
+    }
     let Context { settings, registry, interrupt, observe, calls, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
     // Names are checked before the port is opened: some drive must know all of them.
@@ -174,15 +191,20 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         session.pace();
     }
     let select = |family: &Family| wanted.chosen(family);
-    let Args { interval, duration, count, reconnect, .. } = *args;
-    let when = calls.take().map_or(When::Every(interval), When::Called);
-    let rounds = Rounds { when, duration, count, reconnect, window: wanted.window };
+    let rounds = rounds(args, &wanted, calls.take());
     let mut names = called(settings)?;
     let places: Vec<_> =
         addresses.into_iter().map(|address| Place { address, called: names.remove(&address) }).collect();
-    let waited = (!wanted.triggers.is_empty()).then_some(args.record.as_deref()).flatten();
+    let waited = wanted.waits_for(args);
     let outcome = watch(&mut session, &terms(settings, registry)?, rounds, &places, &chosen, &select).await;
     Ok(record::told(outcome, waited))
+}
+
+/// How often, and until when.
+fn rounds(args: &Args, wanted: &Wanted, calls: Option<Calls>) -> Rounds {
+    let Args { interval, duration, count, reconnect, .. } = *args;
+    let when = calls.map_or(When::Every(interval), When::Called);
+    Rounds { when, duration, count, reconnect, window: wanted.window }
 }
 
 /// What is watched and waited for, in words.
@@ -231,6 +253,11 @@ impl Wanted {
         }
         let selectors = params.iter().map(|text| text.parse().map_err(|error| super::read::select_failure(&error)));
         Ok(Wanted { selectors: selectors.collect::<Result<_, _>>()?, triggers, window })
+    }
+
+    /// The file that holds nothing but what lies around a trigger.
+    fn waits_for<'a>(&self, args: &'a Args) -> Option<&'a Path> {
+        (!self.triggers.is_empty()).then_some(args.record.as_deref()).flatten()
     }
 
     /// What that is in a family; what a trigger looks at comes last, unless it is watched anyway.

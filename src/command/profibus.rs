@@ -10,6 +10,7 @@ mod show;
 pub(super) mod spoken;
 mod taking;
 mod told;
+mod watch;
 pub(super) mod write;
 
 pub(super) use diag::diag;
@@ -17,6 +18,7 @@ pub use given::SlaveArgs;
 pub(super) use show::show;
 pub use spoken::ModeArg;
 pub(super) use taking::refuse;
+pub(super) use watch::{Watch, watch};
 
 use super::verb::{Verb, Working};
 use super::{Context, named_family};

@@ -16,6 +16,7 @@ mod state;
 mod still;
 mod told;
 mod trouble;
+mod watched;
 mod words;
 mod write;
 
@@ -29,7 +30,9 @@ pub use read::Haul;
 pub use run::{Bounds, Lending, Rights, Run};
 pub use shown::Shown;
 pub use state::of as state;
+pub use trouble::NOT_STILL;
 pub use trouble::motion::coasting;
+pub use watched::by_words;
 pub use words::{Course, Wanted, words};
 pub use write::{cyclic, planned};
 

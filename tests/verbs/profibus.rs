@@ -6,6 +6,7 @@ mod ends;
 mod looked;
 mod rig;
 mod said;
+mod watched;
 
 use crate::run::antrieb;
 use antrieb::simulator::Profibus;

@@ -2,14 +2,14 @@
 //! fills the trip data or clears them, stays as it is.
 
 use super::given::SlaveArgs;
-use super::mode::planned;
+use super::mode::held;
 use super::open;
 use super::spoken::Choice;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
-use crate::drive::profibus::{self, Course, Exchange, Haul, WATCHDOG};
+use crate::drive::profibus::{self, Exchange, Haul, WATCHDOG};
 use crate::failure::Failure;
-use crate::outcome::{Data, Diagnosis, ErrorDoc, Outcome, Plan, SlaveDiagnosis, Value, Warning, Word};
+use crate::outcome::{Diagnosis, ErrorDoc, Outcome, SlaveDiagnosis, Value, Warning, Word};
 use crate::profile::{Family, Registry};
 use crate::text::{Text, both};
 use std::rc::Rc;
@@ -27,15 +27,7 @@ pub(in crate::command) async fn diag(
     let address = whom.address;
     whom.knows(choice)?;
     if context.settings.dry_run {
-        let mode = planned(choice);
-        let words = profibus::words(Course::Stop(false), mode).into_iter();
-        let telegrams = words.map(|words| profibus::cyclic(address, words, mode, &whom.presumed)).collect();
-        let notes = vec![both!(
-            "station {address} is asked for Slave_Diag, taken (Set_Prm, Chk_Cfg), held by the stop word, asked, and let go",
-            "Station {address} wird nach Slave_Diag gefragt, übernommen (Set_Prm, Chk_Cfg), mit dem Stoppwort gehalten, gefragt und \
-             freigegeben"
-        )];
-        return Ok(Err(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes }))));
+        return Ok(Err(held(&whom, choice)));
     }
     let why = both!("to diagnose it; nothing is written", "um sie zu diagnostizieren; geschrieben wird nichts");
     let Context { settings, registry, interrupt, observe, ask, .. } = context;

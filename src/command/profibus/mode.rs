@@ -2,9 +2,9 @@
 
 use super::spoken::{Choice, Spoken};
 use super::taking::Whom;
-use crate::drive::profibus::{Line, Mode, Taking, basic_block, configured};
+use crate::drive::profibus::{self, Course, Line, Mode, Taking, basic_block, configured};
 use crate::failure::{Class, Failure};
-use crate::outcome::Event;
+use crate::outcome::{Data, Event, Outcome, Plan};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
@@ -85,6 +85,19 @@ fn no_ramps() -> Failure {
         "`antrieb --protocol dp write F002=5s F003=5s`, or --mode basic",
         "`antrieb --protocol dp write F002=5s F003=5s`, oder --mode basic"
     ))
+}
+
+/// The plan of a slave that is only held while it is looked at.
+pub(super) fn held(whom: &Whom<'_>, choice: Choice) -> Outcome {
+    let (address, mode) = (whom.address, planned(choice));
+    let words = profibus::words(Course::Stop(false), mode).into_iter();
+    let telegrams = words.map(|words| profibus::cyclic(address, words, mode, &whom.presumed)).collect();
+    let notes = vec![both!(
+        "station {address} is asked for Slave_Diag, taken (Set_Prm, Chk_Cfg), held by the stop word, asked, and let go",
+        "Station {address} wird nach Slave_Diag gefragt, übernommen (Set_Prm, Chk_Cfg), mit dem Stoppwort gehalten, gefragt und \
+         freigegeben"
+    )];
+    Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes }))
 }
 
 /// The mode for a plan, where no slave is asked.

@@ -2,14 +2,14 @@
 
 use super::diag::no_right;
 use super::given::SlaveArgs;
-use super::mode::planned;
+use super::mode::held;
 use super::open;
 use super::spoken::Choice;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
-use crate::drive::profibus::{self, Course, Exchange, Haul, WATCHDOG};
+use crate::drive::profibus::{self, Exchange, Haul, WATCHDOG};
 use crate::failure::Failure;
-use crate::outcome::{Data, Outcome, Plan, StateReport, Statemachine, Warning};
+use crate::outcome::{Data, Outcome, StateReport, Statemachine, Warning};
 use crate::text::both;
 
 /// Who may control (5.1), and the status word (5.1).
@@ -28,14 +28,7 @@ pub(in crate::command) async fn show(
     let address = whom.address;
     whom.knows(choice)?;
     if context.settings.dry_run {
-        let mode = planned(choice);
-        let words = profibus::words(Course::Stop(false), mode).into_iter();
-        let telegrams = words.map(|words| profibus::cyclic(address, words, mode, &whom.presumed)).collect();
-        let notes = vec![both!(
-            "station {address} is taken (Set_Prm, Chk_Cfg), held by the stop word, asked, and let go",
-            "Station {address} wird übernommen (Set_Prm, Chk_Cfg), mit dem Stoppwort gehalten, gefragt und freigegeben"
-        )];
-        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })));
+        return Ok(held(&whom, choice));
     }
     let why = both!("to see its state; nothing is written", "um ihren Zustand zu sehen; geschrieben wird nichts");
     let Context { settings, registry, interrupt, observe, ask, .. } = context;

@@ -227,9 +227,18 @@ impl<'l, 'a> Exchange<'l, 'a> {
     /// Keeps the slave going while something else is waited for, such as the answer to a question. The time of a bench that is not
     /// paced stands still.
     pub async fn during<T>(&mut self, wait: impl Future<Output = T>) -> Result<T, Failure> {
+        self.during_until(wait, None).await?.ok_or_else(trouble::interrupted)
+    }
+
+    /// The same, until a moment at most; then `None`.
+    pub(super) async fn during_until<T>(
+        &mut self,
+        wait: impl Future<Output = T>,
+        until: Option<Tick>,
+    ) -> Result<Option<T>, Failure> {
         let mut wait = pin!(wait);
         let mut waited = None;
-        if self.line.stands_still() {
+        if self.line.stands_still() && until.is_none() {
             let interrupt = self.line.interrupt();
             tokio::select! {
                 biased;
@@ -237,7 +246,10 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 () = interrupt.raised() => {}
             }
         }
-        while waited.is_none() && !self.line.interrupt().is_raised() {
+        while waited.is_none()
+            && !self.line.interrupt().is_raised()
+            && until.is_none_or(|until| self.line.now() < until)
+        {
             let mut cycle = pin!(self.cycle());
             loop {
                 tokio::select! {
@@ -250,10 +262,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 }
             }
         }
-        match waited {
-            Some(waited) if !self.line.interrupt().is_raised() => Ok(waited),
-            _ => Err(trouble::interrupted()),
-        }
+        if self.line.interrupt().is_raised() { Err(trouble::interrupted()) } else { Ok(waited) }
     }
 
     fn failure(&self, why: &Trouble) -> Failure {

@@ -6,7 +6,7 @@ use crate::drive::opening::{Opening, open_trace};
 use crate::drive::pump;
 use crate::drive::{AccessError, Interrupt};
 use crate::exchange::dp::{Asked, Fdl, Heard, Listening, MASTER, Reply, Timing, Unanswered};
-use crate::exchange::{Record, Verdict};
+use crate::exchange::{Record, Tally, Verdict};
 use crate::failure::Failure;
 use crate::outcome::Event;
 use crate::profile::Registry;
@@ -103,6 +103,11 @@ impl<'a> Line<'a> {
     /// Time since 1970 of the moment 0, where a clock tells.
     pub(super) fn since_1970(&self) -> Option<Span> {
         self.link.since_1970()
+    }
+
+    /// What it has come to.
+    pub(super) fn tally(&self) -> Tally {
+        self.fdl.tally()
     }
 
     /// Who interrupts.

@@ -176,7 +176,7 @@ impl Seen {
     }
 
     /// Start and setpoint come from the bus.
-    pub(super) fn is_by_bus(self) -> bool {
+    pub fn is_by_bus(self) -> bool {
         match self.state {
             None => self.zsw & BY_BUS != 0,
             Some(_) => self.zsw & NET == NET,

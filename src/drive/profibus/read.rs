@@ -57,25 +57,32 @@ impl Exchange<'_, '_> {
     pub async fn value(
         &mut self,
         family: &Family,
-        (param, element): &(Param, Option<u8>),
+        wanted: &(Param, Option<u8>),
         haul: &mut Haul,
     ) -> Result<(), Failure> {
+        let (value, failure) = self.one(family, wanted).await?;
+        haul.values.push(value);
+        haul.failures.extend(failure);
+        Ok(())
+    }
+
+    /// The same alone, with why it did not come.
+    pub(super) async fn one(
+        &mut self,
+        family: &Family,
+        (param, element): &(Param, Option<u8>),
+    ) -> Result<(Value, Option<Failure>), Failure> {
         let address = self.address();
-        match self.read(place(param.id, *element)).await? {
+        let (value, failure) = match self.read(place(param.id, *element)).await? {
             Ok(bits) => {
                 let kind = param.kind.unwrap_or(Type::Word);
                 let raw = value::from_wire(bits, kind, param.min);
                 let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
-                let value = describe::value(address, family, param, reading, &|_| None);
-                haul.values.push(Value { index: *element, ..value });
+                (describe::value(address, family, param, reading, &|_| None), None)
             }
-            Err(failure) => {
-                let value = describe::unread(address, family, param, 0, &failure);
-                haul.values.push(Value { index: *element, ..value });
-                haul.failures.push(failure);
-            }
-        }
-        Ok(())
+            Err(failure) => (describe::unread(address, family, param, 0, &failure), Some(failure)),
+        };
+        Ok((Value { index: *element, ..value }, failure))
     }
 
     /// What decides on the motor once the slave is let go.

@@ -136,7 +136,7 @@ pub(super) fn differs(address: u8, place: Place, bits: u32) -> Failure {
 }
 
 /// The motor was not seen standing.
-pub(super) const NOT_STILL: &str = "forbidden.not_still";
+pub const NOT_STILL: &str = "forbidden.not_still";
 
 /// The motor was not seen standing.
 pub(super) fn unproven(address: u8, seen: Option<Seen>) -> Failure {

@@ -11,7 +11,7 @@ pub struct Item {
     param: Param,
     sets: DataSets,
     /// Not every drive needs to have it.
-    pub(super) lenient: bool,
+    pub(in crate::drive) lenient: bool,
     /// Values that were read.
     pub(super) good: u64,
     /// What went wrong last.
@@ -20,13 +20,15 @@ pub struct Item {
     pub(super) failed: bool,
     /// The drive does not have it; it is not asked for again.
     pub(super) refused: Option<Failure>,
+    /// A word of which this raw value is 100 %, which no catalogue tells.
+    full: Option<i64>,
 }
 
 impl Item {
     /// Nothing of it was read yet.
     pub fn new(selection: Selection) -> Self {
         let Selection { param, sets, of_group, .. } = selection;
-        Item { param, sets, lenient: of_group, good: 0, failure: None, failed: false, refused: None }
+        Item { param, sets, lenient: of_group, good: 0, failure: None, failed: false, refused: None, full: None }
     }
 
     /// The parameter.
@@ -39,14 +41,26 @@ impl Item {
         self.sets
     }
 
+    /// The same word as a part of this raw value, in percent.
+    pub(in crate::drive) fn part_of(self, full: i64) -> Self {
+        Item { full: Some(full), ..self }
+    }
+
+    /// The same of another parameter.
+    pub(in crate::drive) fn moved_to(self, param: Param) -> Self {
+        Item { param, ..self }
+    }
+
+    /// Raw value of 100 %, of a word that is a part.
+    pub(in crate::drive) fn full(&self) -> Option<i64> {
+        self.full
+    }
+
     pub(super) async fn read(&mut self, reader: &mut Reader<'_, '_>) -> Result<Vec<Value>, Failure> {
         reader.lenient = self.lenient;
         let rows = reader.rows(&self.param, self.sets).await?;
-        self.good += rows.iter().filter(|row| row.error.is_none()).count() as u64;
         let (failure, forgiven) = (reader.failures.drain(..).next(), reader.forgiven.drain(..).next());
-        self.failed = failure.is_some();
-        self.refused = forgiven.filter(|_| self.good == 0);
-        self.failure = failure.or_else(|| self.refused.clone()).or_else(|| self.failure.take());
+        self.came(&rows, failure, forgiven);
         // The four sets differ, so there is no value of all of them: from now on each is asked for.
         if rows.len() > self.sets.wire().len() {
             self.sets = match self.sets {
@@ -55,6 +69,14 @@ impl Item {
             };
         }
         Ok(rows)
+    }
+
+    /// What came of reading it; what is forgiven is a parameter that a drive has not.
+    pub(in crate::drive) fn came(&mut self, rows: &[Value], failure: Option<Failure>, forgiven: Option<Failure>) {
+        self.good += rows.iter().filter(|row| row.error.is_none()).count() as u64;
+        self.failed = failure.is_some();
+        self.refused = forgiven.filter(|_| self.good == 0);
+        self.failure = failure.or_else(|| self.refused.clone()).or_else(|| self.failure.take());
     }
 
     /// The rows of this parameter when it cannot be read.

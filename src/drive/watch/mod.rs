@@ -8,15 +8,18 @@ mod item;
 mod moment;
 mod pace;
 mod rounds;
+mod source;
 mod station;
 mod trigger;
 mod trip;
 
 pub use item::Item;
 pub use rounds::{Calls, Rounds, When};
+pub(in crate::drive) use source::Source;
+pub(in crate::drive) use station::{Haul, Station, terse};
 pub use trigger::{Compare, Condition, Signal, Test};
 
-use super::{AccessError, Session, Terms, is_over, summary};
+use super::{Session, Terms, is_over, summary};
 use crate::exchange::Tally;
 use crate::failure::{Class, Failure};
 use crate::outcome::{
@@ -27,7 +30,6 @@ use crate::profile::Family;
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use pace::Pace;
-use station::Station;
 
 /// What lies around a trigger.
 #[derive(Clone, Copy, Debug)]
@@ -72,14 +74,25 @@ pub async fn watch(
     select: &Select<'_>,
 ) -> Outcome {
     let items = &chosen.items;
-    let mut stations: Vec<_> = places.iter().map(|place| Station::new(place.clone(), items.clone())).collect();
+    let stations = places.iter().map(|place| Station::new(place.clone(), items.clone())).collect();
+    watch_stations(session, terms, rounds, stations, (&chosen.waited_for, select)).await
+}
+
+/// The same of drives that are known, wherever their samples come from.
+pub(in crate::drive) async fn watch_stations(
+    session: &mut impl Source,
+    terms: &Terms<'_>,
+    rounds: Rounds,
+    mut stations: Vec<Station>,
+    (waited_for, select): (&[Condition], &Select<'_>),
+) -> Outcome {
     let mut watch = Watch {
         terms,
         select,
         begin: session.now(),
-        port: session.port().to_owned(),
+        port: session.port(),
         held: Some(Vec::new()),
-        triggers: chosen.waited_for.iter().map(|condition| condition.text.clone()).collect(),
+        triggers: waited_for.iter().map(|condition| condition.text.clone()).collect(),
         end: rounds.duration.map(|duration| (session.now() + duration, "duration")),
         rounds,
         tally: untold(),
@@ -98,8 +111,8 @@ pub async fn watch(
 }
 
 /// A watch at work.
-struct Watch<'a> {
-    terms: &'a Terms<'a>,
+pub(in crate::drive) struct Watch<'a> {
+    pub(in crate::drive) terms: &'a Terms<'a>,
     select: &'a Select<'a>,
     rounds: Rounds,
     begin: Tick,
@@ -122,7 +135,7 @@ struct Watch<'a> {
 
 impl Watch<'_> {
     /// Goes round until it is over; returns why it is.
-    async fn run(&mut self, session: &mut Session<'_>, stations: &mut [Station]) -> &'static str {
+    async fn run(&mut self, session: &mut impl Source, stations: &mut [Station]) -> &'static str {
         loop {
             if let Some(because) = self.pause(session, self.pace.last()).await {
                 return because;
@@ -152,7 +165,7 @@ impl Watch<'_> {
     }
 
     /// One sample of every drive. Ends early only if the session is over.
-    async fn round(&mut self, session: &mut Session<'_>, stations: &mut [Station]) -> Result<(), Failure> {
+    async fn round(&mut self, session: &mut impl Source, stations: &mut [Station]) -> Result<(), Failure> {
         for index in 0..stations.len() {
             let Some((_, rest)) = stations.split_at_mut_checked(index) else { break };
             let Some(station) = rest.first_mut() else { break };
@@ -173,7 +186,7 @@ impl Watch<'_> {
     }
 
     /// A gap for each of these drives.
-    fn blank(&mut self, session: &mut Session<'_>, stations: &[Station], failure: &Failure) {
+    fn blank(&mut self, session: &mut impl Source, stations: &[Station], failure: &Failure) {
         for station in stations {
             let sample = self.gap(session.now(), station, failure);
             self.emit_sample(session, sample);
@@ -204,19 +217,12 @@ impl Watch<'_> {
     }
 
     /// Asks one drive; what it does not answer is a gap.
-    async fn sample(&mut self, session: &mut Session<'_>, station: &mut Station) -> Result<Sample, Failure> {
+    async fn sample(&mut self, session: &mut impl Source, station: &mut Station) -> Result<Sample, Failure> {
         let now = session.now();
         if let Some(failure) = &station.out {
             return Ok(self.gap(now, station, failure));
         }
-        // A drive that was silent is asked once, so that it does not hold up the others.
-        let retries = session.set_retries(0);
-        if station.silent.is_none() {
-            session.set_retries(retries);
-        }
-        let haul = station.read(session, self).await;
-        session.set_retries(retries);
-        let haul = match haul {
+        let haul = match session.read(station, self).await {
             Ok(haul) => haul,
             Err(failure) if is_over(&failure) => return Err(failure),
             Err(failure) => {
@@ -247,7 +253,7 @@ impl Watch<'_> {
             called: station.place.called.clone(),
             port: Some(self.port.clone()),
             drive: station.target.as_ref().map_or_else(String::new, |target| target.family.drive.clone()),
-            state: haul.values.iter().find_map(|value| value.value.word.as_ref()?.state.clone()),
+            state: haul.state.or_else(|| haul.values.iter().find_map(|value| value.value.word.as_ref()?.state.clone())),
             values: haul.values,
             error: failure.as_ref().map(ErrorDoc::from),
             line: None,
@@ -255,7 +261,7 @@ impl Watch<'_> {
     }
 
     /// Says once that a drive went silent, and once that it is back.
-    fn mark(&self, session: &mut Session<'_>, station: &mut Station, failure: Option<&Failure>, now: Tick) {
+    fn mark(&self, session: &mut impl Source, station: &mut Station, failure: Option<&Failure>, now: Tick) {
         let note = match (failure, station.silent) {
             (Some(failure), None) => {
                 station.silent = Some(now);
@@ -271,23 +277,19 @@ impl Watch<'_> {
         session.tell(Event::Note(note));
     }
 
-    fn told(&self, error: &AccessError) -> Failure {
-        error.failure(0, None)
-    }
-
-    fn port_change(&self, session: &Session<'_>, failure: Option<&Failure>) -> PortChange {
-        let (t, port) = (self.seconds(session.now()), session.port().to_owned());
+    fn port_change(&self, session: &impl Source, failure: Option<&Failure>) -> PortChange {
+        let (t, port) = (self.seconds(session.now()), session.port());
         PortChange { t, port, error: failure.map(ErrorDoc::from) }
     }
 
-    fn emit_sample(&mut self, session: &mut Session<'_>, sample: Sample) {
+    fn emit_sample(&mut self, session: &mut impl Source, sample: Sample) {
         self.tally.samples += 1;
         self.tally.gaps += u64::from(sample.error.is_some());
         let line = Some(news(session.tally()));
         self.emit(session, Record::Sample(Sample { line, ..sample }));
     }
 
-    fn emit(&mut self, session: &mut Session<'_>, record: Record) {
+    fn emit(&mut self, session: &mut impl Source, record: Record) {
         match &mut self.held {
             Some(held) => held.push(record),
             None => session.tell(Event::Record(Box::new(record))),
@@ -295,8 +297,9 @@ impl Watch<'_> {
     }
 
     /// Says what is watched and lets go of what was held back, unless that is done.
-    fn start(&mut self, session: &mut Session<'_>, stations: &[Station]) {
+    fn start(&mut self, session: &mut impl Source, stations: &[Station]) {
         let Some(held) = self.held.take() else { return };
+        let (line, protocol) = session.speaks(self.terms);
         let start = StreamStart {
             t: decimal(Span::ZERO),
             schema: SCHEMA_VERSION,
@@ -304,8 +307,8 @@ impl Watch<'_> {
             command: "monitor",
             port: self.port.clone(),
             begun: session.since_1970().map(|now| decimal(now - session.now().since(self.begin))),
-            line: self.terms.line.to_string(),
-            protocol: self.terms.speech.protocol.name(),
+            line,
+            protocol,
             interval: self.rounds.when.interval().map(decimal),
             waits: self.waits(),
             drives: stations.iter().map(|station| self.watched(station)).collect(),
@@ -340,7 +343,7 @@ impl Watch<'_> {
     }
 
     /// Seconds since the start.
-    fn seconds(&self, tick: Tick) -> Decimal {
+    pub(in crate::drive) fn seconds(&self, tick: Tick) -> Decimal {
         decimal(tick.since(self.begin))
     }
 

@@ -1,13 +1,12 @@
 //! The moments of a watch: a trigger that came true, a drive that went into a fault.
 
 use super::station::Station;
-use super::{Watch, Window, decimal, trigger, trip};
-use crate::drive::Session;
+use super::{Source, Watch, Window, decimal, trigger, trip};
 use crate::outcome::{Event, Record, Sample, TriggerNews, Waits};
 
 impl Watch<'_> {
     /// Tells of triggers that came true and of a fault that came, before the sample that shows them.
-    pub(super) fn mark_moments(&mut self, session: &mut Session<'_>, station: &mut Station, sample: &Sample) {
+    pub(super) fn mark_moments(&mut self, session: &mut impl Source, station: &mut Station, sample: &Sample) {
         for news in station.news(sample) {
             let record = match news {
                 Record::Trigger(_) if self.rounds.window.once && self.tally.triggers > 0 => continue,

@@ -1,7 +1,6 @@
 //! When the next round comes: by the clock, or when somebody calls for it.
 
-use super::{Watch, Window};
-use crate::drive::Session;
+use super::{Source, Watch, Window};
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
 use crate::outcome::{Event, Record};
@@ -62,7 +61,7 @@ enum Came {
 
 impl Watch<'_> {
     /// Waits until the next round is due; `last` is when the one before began. If none comes any more: why.
-    pub(super) async fn pause(&mut self, session: &mut Session<'_>, last: Option<Tick>) -> Option<&'static str> {
+    pub(super) async fn pause(&mut self, session: &mut impl Source, last: Option<Tick>) -> Option<&'static str> {
         let next = match (&self.rounds.when, last) {
             (When::Called(_), _) => None,
             (When::Every(_), None) => return None,
@@ -97,7 +96,7 @@ impl Watch<'_> {
     }
 
     /// Waits for the port if it is lost, for a call, or for the end of the time.
-    async fn wait(&mut self, session: &mut Session<'_>, until: Option<Tick>) -> Result<Came, Failure> {
+    async fn wait(&mut self, session: &mut impl Source, until: Option<Tick>) -> Result<Came, Failure> {
         if self.lost.is_some() {
             let sought = self.seek_port(session, until.unwrap_or(session.now() + TRY_AGAIN)).await;
             let call = match &mut self.rounds.when {
@@ -116,8 +115,7 @@ impl Watch<'_> {
                 session.rest(until.unwrap_or(now).since(now)).await.map(|()| None)
             }
         };
-        let call = waited.map_err(|error| self.told(&error))?;
-        Ok(call.map_or(Came::Nothing, |call| self.came(call)))
+        Ok(waited?.map_or(Came::Nothing, |call| self.came(call)))
     }
 
     fn came(&mut self, call: Option<io::Result<()>>) -> Came {
@@ -134,10 +132,14 @@ impl Watch<'_> {
     }
 
     /// What to do when the session is over: end with this reason, or go on without a port.
-    pub(super) fn trouble(&mut self, session: &mut Session<'_>, failure: Failure) -> Option<&'static str> {
+    pub(super) fn trouble(&mut self, session: &mut impl Source, failure: Failure) -> Option<&'static str> {
         let reconnect = self.rounds.reconnect;
-        if failure.class != Class::Port {
+        if failure.class == Class::Interrupted {
             return Some("interrupted");
+        }
+        if failure.class != Class::Port {
+            self.lost = Some(failure);
+            return Some("lost");
         }
         if self.lost.is_none() {
             let change = self.port_change(session, Some(&failure));
@@ -152,8 +154,8 @@ impl Watch<'_> {
     }
 
     /// Tries to open a lost port, and waits a little if that does not work.
-    async fn seek_port(&mut self, session: &mut Session<'_>, until: Tick) -> Result<(), Failure> {
-        let reopened = session.reopen().await.map_err(|error| self.told(&error));
+    async fn seek_port(&mut self, session: &mut impl Source, until: Tick) -> Result<(), Failure> {
+        let reopened = session.reopen().await;
         if reopened.is_ok() {
             self.lost = None;
             let change = self.port_change(session, None);
@@ -175,6 +177,6 @@ impl Watch<'_> {
             self.lost = Some(failure);
         }
         let pause = TRY_AGAIN.min(until.since(session.now()));
-        session.rest(pause).await.map_err(|error| self.told(&error))
+        session.rest(pause).await
     }
 }

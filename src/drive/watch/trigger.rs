@@ -70,14 +70,18 @@ pub(super) struct Armed {
 
 impl Armed {
     pub(super) fn new(condition: Condition, family: &Family) -> Self {
+        let mut test = condition.test;
         let column = match condition.signal {
             Signal::State => None,
             Signal::Value(item, bit) => {
                 let is_float = item.param().kind == Some(Type::Float);
+                if let Some(full) = item.full() {
+                    test = test.part_of(full);
+                }
                 item.columns(family).into_iter().next().map(|column| (column, bit, is_float))
             }
         };
-        Armed { text: condition.text, test: condition.test, column, state: None, value: None, was_so: false }
+        Armed { text: condition.text, test, column, state: None, value: None, was_so: false }
     }
 
     /// Whether it comes true with this sample. What a gap hides is seen behind it.
@@ -105,6 +109,19 @@ impl Armed {
         let Some(now) = sample.state.as_ref().map(|state| state.slug.clone()) else { return false };
         let before = self.state.replace(now.clone());
         matches!(&self.test, Test::Becomes(wanted) if *wanted == now && before.is_some_and(|before| before != now))
+    }
+}
+
+impl Test {
+    /// A level in hundredths of a percent, of a word of which this is 100 %.
+    fn part_of(self, full: i64) -> Self {
+        let raw = |level: i64| level * full / 10_000;
+        match self {
+            Test::Is(compare, level) => Test::Is(compare, raw(level)),
+            Test::Rises(level) => Test::Rises(raw(level)),
+            Test::Falls(level) => Test::Falls(raw(level)),
+            becomes @ Test::Becomes(_) => becomes,
+        }
     }
 }
 

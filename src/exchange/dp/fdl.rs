@@ -1,6 +1,6 @@
 //! The data link layer of a single master, one question at a time.
 
-use crate::exchange::{Conversation, Record, Step, Verdict};
+use crate::exchange::{Conversation, Record, Step, Tally, Verdict};
 use crate::protocol::dp::control::{Count, Function, Station, Status};
 use crate::protocol::dp::frame::length;
 use crate::protocol::dp::{Control, EVERYBODY, Frame, Service, Telegram};
@@ -162,6 +162,7 @@ pub struct Fdl {
     after: Option<Span>,
     /// Repeats so far, by station.
     repeats: BTreeMap<u8, u64>,
+    tally: Tally,
 }
 
 impl Fdl {
@@ -179,6 +180,7 @@ impl Fdl {
             records: Vec::new(),
             after: None,
             repeats: BTreeMap::new(),
+            tally: Tally::default(),
         }
     }
 
@@ -196,6 +198,11 @@ impl Fdl {
     /// How often a station was asked again.
     pub fn repeats(&self, station: u8) -> u64 {
         self.repeats.get(&station).copied().unwrap_or(0)
+    }
+
+    /// What the line has come to.
+    pub fn tally(&self) -> Tally {
+        self.tally
     }
 
     /// What went over the line since the last call.
@@ -238,7 +245,10 @@ impl Fdl {
     fn ends(&mut self, now: Tick, result: Result<Reply, Unanswered>) {
         let Some(open) = self.open.take() else { return };
         self.after = open.sent.filter(|_| open.asked_times == 1).map(|sent| now.since(sent));
-        self.ready = self.ready.max(now + syn(self.line));
+        self.counts_in(&result, open.sent.map_or(Span::ZERO, |sent| now.since(sent)));
+        // What was answered has been taken by the adapter, and the line is free behind T_SYN.
+        let is_answered = matches!(result, Ok(Reply::Ack | Reply::Frame { .. }));
+        self.ready = if is_answered { now } else { self.ready.max(now) } + syn(self.line);
         if open.asked.is_counted(open.station) {
             // The first question counts as bit 1, and behind silence the counting begins again.
             match &result {
@@ -254,6 +264,19 @@ impl Fdl {
         self.done = Some(result);
     }
 
+    fn counts_in(&mut self, result: &Result<Reply, Unanswered>, waited: Span) {
+        let tally = &mut self.tally;
+        match result {
+            Ok(Reply::Sent) => {}
+            Ok(Reply::Ack | Reply::Frame { .. }) => {
+                (tally.replies, tally.waited) = (tally.replies + 1, tally.waited + waited);
+            }
+            Err(Unanswered::Silence { .. }) => tally.silences += 1,
+            Err(Unanswered::Garbled { .. }) => tally.garbled += 1,
+            Err(Unanswered::OtherMaster(_)) => tally.strays += 1,
+        }
+    }
+
     /// Sends the question, or says until when to wait first.
     fn send(&mut self, now: Tick) -> Step<Result<Reply, Unanswered>> {
         let (ready, line, slot) = (self.ready, self.line, self.timing.slot);
@@ -267,6 +290,7 @@ impl Fdl {
         open.limit = out + slot.times(2) + line.chars(LONGEST);
         open.tries -= 1;
         open.asked_times += 1;
+        self.tally.sent += 1;
         let (bytes, is_broadcast) = (open.bytes.clone(), open.station == EVERYBODY);
         self.heard.clear();
         self.ready = out + syn(line).longer(UNANSWERED);
@@ -289,6 +313,7 @@ impl Fdl {
         if open.tries > 0 && open.sent.is_some() {
             (open.sent, open.limit) = (None, now + BABBLE);
             *self.repeats.entry(open.station).or_default() += 1;
+            self.tally.repeats += 1;
             self.ready = self.ready.max(now + syn(self.line).longer(UNANSWERED));
             return;
         }
