@@ -64,6 +64,17 @@ fn every_verb_of_the_help_has_a_man_page() {
 }
 
 #[test]
+fn every_option_of_a_man_page_is_told() {
+    for command in commands() {
+        let arguments: Vec<&str> = ["man"].into_iter().chain(command.iter().map(String::as_str)).collect();
+        let page = printed(&arguments);
+        let lines: Vec<&str> = page.lines().collect();
+        let silent = lines.windows(3).find(|lines| lines[0] == ".TP" && lines[2].trim().is_empty());
+        assert_eq!(silent, None, "{command:?}");
+    }
+}
+
+#[test]
 fn every_man_page_lists_every_exit_code() {
     for words in commands().into_iter().chain([Vec::new()]) {
         let arguments: Vec<&str> = ["man"].into_iter().chain(words.iter().map(String::as_str)).collect();

@@ -415,7 +415,8 @@ fn protocol_failure(low: &Low<'_>, text: &str, why: Text) -> Failure {
     let failure = in_file.unwrap_or_else(|| bad_setting("protocol", why));
     match text.to_ascii_lowercase().as_str() {
         "profibus" => failure.hint(both!("PROFIBUS-DP is dp here", "PROFIBUS-DP heißt hier dp")),
-        _ => failure,
+        _ => failure
+            .hint(both!("dp is PROFIBUS-DP; `scan` takes auto too", "dp ist PROFIBUS-DP; `scan` nimmt auch auto")),
     }
 }
 

@@ -16,6 +16,8 @@ pub(super) fn print(command: &Command, out: &mut dyn Write) -> io::Result<()> {
         None => ("", FIRST_STEPS.split_once(":\n").map_or("", |(_, lines)| lines)),
     };
     // No date: the page must be the same whenever it is built.
+    // What `-h` leaves out stands here, also where one line is all that is told of it.
+    let command = &command.clone().mut_args(|arg| arg.hide_short_help(false));
     let page = Man::new(command.clone().version(env!("CARGO_PKG_VERSION")));
     let page = page.date("").source("antrieb").manual("Commissioning of drives");
     page.render_title(out)?;

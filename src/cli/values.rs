@@ -40,7 +40,7 @@ pub(super) fn fitting(place: &Place<'_>, environment: &Environment) -> Vec<Candi
         ("procedure", "name" | "values") => of_procedures(place, lang_of(&globals, environment)),
         ("dataset", "set") => "1 2 3 4 0".split(' ').map(bare).collect(),
         ("dataset", "from" | "to") => "1 2 3 4".split(' ').map(bare).collect(),
-        ("schema", "verb") => VERBS.iter().map(|verb| bare(verb.name)).collect(),
+        ("schema" | "man", "verb") => VERBS.iter().map(|verb| bare(verb.name)).collect(),
         (_, name) => match WORDS.iter().find(|row| row.0 == name) {
             Some((_, words)) => words.split(' ').map(bare).collect(),
             None if !place.possible.is_empty() => place.possible.iter().map(|word| bare(word)).collect(),
@@ -62,7 +62,7 @@ const WORDS: &[(&str, &str)] = &[
     ("new_parity", "even odd none"),
     ("stop_bits", "1 2"),
     ("data_bits", "7 8"),
-    ("protocol", "auto rtu ascii vabus"),
+    ("protocol", "auto rtu ascii vabus mbtcp sdo sdo1 dp"),
     ("to", "rtu ascii vabus"),
     ("rs485", "auto kernel rts adapter"),
     ("format", "table json ndjson csv"),
