@@ -17,7 +17,8 @@ fn cases() {
         .case("tests/cmd/*.trycmd")
         .case("docs/first-day.md")
         .case("docs/active.md")
-        .case("docs/lexium.md");
+        .case("docs/lexium.md")
+        .case("docs/catalogues.md");
 }
 
 fn antrieb(arguments: &[&str]) -> Command {
