@@ -310,10 +310,7 @@ async fn carry_out(
 ) -> Result<(), Failure> {
     let unit = wanted.param.unit.as_deref().unwrap_or("");
     motor.prepare(&wanted.mode);
-    // Only frequencies are shown behind their ramp.
-    let last = wanted.schedule.at(u64::MAX);
-    let runs_at = wanted.effective.filter(|_| wanted.mode.source.is_some()).and_then(|effective| effective.of(last));
-    motor.expects = runs_at.map(|sum| (last, sum));
+    motor.expects = wanted.expects(wanted.schedule.at(u64::MAX));
     for (param, raw) in &wanted.settings {
         motor.change_param(param, *raw).await?;
     }
@@ -331,7 +328,8 @@ async fn carry_out(
         motor.set(param, *raw).await?;
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
-    lead(motor, wanted, unit, panel).await?;
+    let mut course = Course::default();
+    lead(motor, wanted, &mut course, panel).await?;
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
     }
@@ -344,18 +342,23 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        hold(motor, wanted, motion, panel).await?;
+        hold(motor, wanted, (motion.duration, course), panel).await?;
     }
     Ok(())
 }
 
 /// Gives the last setpoint again and again, or what the keypad has made of it.
-async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
-    let (mut given, mut course) = (wanted.schedule.at(u64::MAX), Course::default());
+async fn hold(
+    motor: &mut Motor<'_, '_>,
+    wanted: &Wanted,
+    (duration, mut course): (Option<Span>, Course),
+    panel: &Panel,
+) -> Result<(), Failure> {
+    let mut given = wanted.schedule.at(u64::MAX);
     // What was pressed on the way meant nothing yet.
     panel.take_steps();
     motor
-        .hold(motion.duration, async |motor: &mut Motor<'_, '_>, _| {
+        .hold(duration, async |motor: &mut Motor<'_, '_>, _| {
             let steps = panel.take_steps();
             let (next, refused) = wanted.keys.map_or((given, false), |keys| keys.after(given, &steps));
             if let Some(told) = wanted.refused_key().filter(|_| refused) {
@@ -379,7 +382,7 @@ async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, p
 
 /// Gives another setpoint in a run that is held; `false`: the drive refuses it, and the one before stands.
 async fn nudge(motor: &mut Motor<'_, '_>, wanted: &Wanted, raw: i64) -> Result<bool, Failure> {
-    motor.expects = wanted.effective.and_then(|effective| effective.of(raw)).map(|sum| (raw, sum));
+    motor.expects = wanted.expects(raw);
     match motor.give(&wanted.param, raw, wanted.param.unit.as_deref().unwrap_or("")).await {
         Err(failure) if failure.class == Class::Refused => {
             motor.tell(failure.message);
@@ -401,9 +404,9 @@ fn as_told(motor: &mut Motor<'_, '_>, wanted: &Wanted) -> Result<(), Failure> {
     Err(motor.bent(last, runs_at))
 }
 
-/// Leads the setpoint along its schedule.
-async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str, panel: &Panel) -> Result<(), Failure> {
-    let end = wanted.schedule.end_us();
+/// Leads the setpoint along its schedule, as long as the drive goes there.
+async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, course: &mut Course, panel: &Panel) -> Result<(), Failure> {
+    let (end, unit) = (wanted.schedule.end_us(), wanted.param.unit.as_deref().unwrap_or(""));
     if end == 0 {
         return Ok(());
     }
@@ -412,6 +415,7 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str, panel: &Pa
     motor
         .hold(Some(Span::from_micros(end)), async |motor: &mut Motor<'_, '_>, gone| {
             let value = wanted.schedule.at(gone.as_micros());
+            motor.expects = wanted.expects(value);
             if value != last {
                 motor.give(&wanted.param, value, unit).await?;
                 last = value;
@@ -422,11 +426,12 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str, panel: &Pa
                     "die Pfeile wirken, wenn der Verlauf zu Ende ist"
                 ));
             }
-            Ok(())
+            motor.keeps(course).await
         })
         .await?;
     motor.is_led(false);
     let value = wanted.schedule.at(end);
+    motor.expects = wanted.expects(value);
     if value == last { Ok(()) } else { motor.give(&wanted.param, value, unit).await }
 }
 

@@ -124,6 +124,12 @@ impl Wanted {
         self.least.is_some_and(|least| least > 0) || self.effective.is_some_and(|total| total.of(0) != Some(0))
     }
 
+    /// What a setpoint is and what the drive's ramp then goes to, where that is told: only frequencies are shown behind their ramp.
+    pub(super) fn expects(&self, raw: i64) -> Option<(i64, i64)> {
+        let total = self.effective.filter(|_| self.mode.source.is_some())?;
+        total.of(raw).map(|sum| (raw, sum))
+    }
+
     /// Every setpoint that may be given: those of the schedule, and the bounds of the keypad.
     pub(super) fn values(&self) -> impl Iterator<Item = i64> + '_ {
         self.schedule.values().chain(self.keys.iter().flat_map(|keys| [keys.min, keys.max]))

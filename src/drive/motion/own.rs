@@ -225,8 +225,8 @@ fn otherwise(text: Text) -> Failure {
 #[derive(Debug, Default)]
 pub struct Course {
     looked: Option<Tick>,
-    /// Goal, and how far the ramp was from it.
-    seen: Option<(i64, u64)>,
+    /// Where the ramp was.
+    ramp: Option<i64>,
 }
 
 impl Motor<'_, '_> {
@@ -280,8 +280,8 @@ impl Motor<'_, '_> {
     async fn strayed(&mut self, goal: i64, promise: &Promise, course: &mut Course) -> Result<Option<Failure>, Failure> {
         let Some(ramp) = role_raw(self.session, self.target, "setpoint-ramp").await? else { return Ok(None) };
         let far = ramp.abs_diff(goal);
-        let before = course.seen.replace((goal, far));
-        let nears = before.is_none_or(|(then, before)| then != goal || far < before);
+        // A goal that is led may have gone away from it meanwhile: that the ramp was farther from where it is now is what counts.
+        let nears = course.ramp.replace(ramp).is_none_or(|before| far < before.abs_diff(goal));
         if nears || far <= wavers(goal) {
             return Ok(None);
         }

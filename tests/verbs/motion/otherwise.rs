@@ -77,6 +77,27 @@ fn another_data_set_in_the_run_ends_it_also_where_the_run_chose_its_source() {
     }
 }
 
+/// Nor does it count only behind the way along which a setpoint is led, which may be minutes.
+#[test]
+fn another_data_set_ends_a_run_whose_setpoint_is_led_at_once() {
+    let sets = "[[drive]]\nmodel = \"acu\"\nfour = [434, 228]\n\
+                set = { \"412\" = 1, \"414\" = 1, \"434@1\" = 2, \"434@2\" = 3, \"228\" = -30, \"418\" = 0 }\n\
+                [[drive.event]]\nat = \"3s\"\nset = { \"414\" = 2 }\n";
+    let profile = "0s, 5Hz\n5s, 9Hz\n10s, 5Hz\n20s, 10Hz\n";
+    for led in ["--ramp 5Hz:10Hz:20s", "--ramp 5Hz:10Hz:20s --source line", "--profile {dir}/way.csv"] {
+        let typed = format!("-v -a 1 --yes sollwert {led} --enable --hold --duration 1s");
+        let run = antrieb(&typed).on(sets).file("way.csv", profile).json().exits(8);
+        assert_eq!(run.error()["code"], "forbidden.otherwise", "{led}: {}", run.value);
+        assert_eq!(run.data("/stop/acknowledged"), true, "{led}");
+        let stop = run.err.lines().find(|line| line.contains("> 01 06 01 9A 00 07")).unwrap();
+        let at: f64 = stop.split_whitespace().next().unwrap().parse().unwrap();
+        assert!((3_000.0..5_500.0).contains(&at), "{led}: {stop}");
+        // As long as it goes along its way, nothing ends it.
+        let calm = sets.split("[[drive.event]]").next().unwrap();
+        antrieb(&typed).on(calm).file("way.csv", profile).exits(0);
+    }
+}
+
 /// Somebody else starts it: it is shown, or nothing is done.
 #[test]
 fn a_drive_that_somebody_else_starts_while_it_asks_is_left_alone() {
