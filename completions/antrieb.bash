@@ -2312,13 +2312,17 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__diag)
-            opts="-p -a -b -q -v -h --clear --link-test --check --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help line"
+            opts="-p -a -b -q -v -h --clear --link-test --check --gsd --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help line"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
                 --link-test)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --gsd)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -3092,7 +3096,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__monitor)
-            opts="-p -a -b -q -v -h --interval --gather --for --duration --count --reconnect --line --textfile --record --trigger --pre --post --once --unpaced --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --interval --gather --for --duration --count --reconnect --line --textfile --record --trigger --pre --post --once --unpaced --gsd --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3135,6 +3139,10 @@ _antrieb() {
                     return 0
                     ;;
                 --post)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --gsd)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -3772,13 +3780,17 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus__subcmd__live)
-            opts="-p -a -b -q -v -h --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
+            opts="-p -a -b -q -v -h --slot-time --questions --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
                 --slot-time)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --questions)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -3932,12 +3944,16 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus__subcmd__read)
-            opts="-p -a -b -q -v -h --user-prm --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
+            opts="-p -a -b -q -v -h --gsd --user-prm --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --gsd)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --user-prm)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
@@ -4336,7 +4352,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__read)
-            opts="-p -a -b -q -v -h --type --decimals --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --type --decimals --gsd --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -4347,6 +4363,10 @@ _antrieb() {
                     return 0
                     ;;
                 --decimals)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --gsd)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -4750,7 +4770,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__sniff)
-            opts="-p -a -b -q -v -h --for --duration --count --search --pcap --filter --trigger --pre --post --once --statistics --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --for --duration --count --search --pcap --filter --trigger --pre --post --once --cfg --statistics --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -4785,6 +4805,10 @@ _antrieb() {
                     return 0
                     ;;
                 --post)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -4884,7 +4908,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__sollwert)
-            opts="-p -a -b -q -v -h --mode --set --start --until --enable --source --ramp --profile --jog --force --hold --for --duration --on-exit --watchdog --take-control --wait --view --dead-man --step --min --max --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
+            opts="-p -a -b -q -v -h --mode --set --start --until --enable --source --ramp --profile --jog --force --hold --for --duration --on-exit --watchdog --take-control --wait --view --dead-man --step --min --max --gsd --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -4951,6 +4975,10 @@ _antrieb() {
                     return 0
                     ;;
                 --max)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --gsd)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -5062,12 +5090,16 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__statemachine)
-            opts="-p -a -b -q -v -h --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts"
+            opts="-p -a -b -q -v -h --gsd --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --gsd)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --user-prm)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
@@ -7120,7 +7152,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__write)
-            opts="-p -a -b -q -v -h --type --decimals --force --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
+            opts="-p -a -b -q -v -h --type --decimals --force --gsd --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -7131,6 +7163,10 @@ _antrieb() {
                     return 0
                     ;;
                 --decimals)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --gsd)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

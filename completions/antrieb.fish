@@ -151,6 +151,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l force -d 'R
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l type -d 'uint, int, word or long, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l decimals -d 'Decimals, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -186,6 +187,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l force -d 'Repla
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l type -d 'uint, int, word or long, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l decimals -d 'Decimals, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -705,6 +707,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l dry-run -d 'Sh
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l link-test -d 'Ask N harmless questions: error rate, reply times' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
@@ -776,6 +779,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
@@ -1240,6 +1244,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
@@ -1722,6 +1727,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l wait -d 'Ho
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l step -d 'With --view: the arrows change the setpoint by this' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l min -d 'With --step: no lower than this' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l max -d 'With --step: no higher than this' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -1779,6 +1785,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l wait -d 'Ho
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l step -d 'With --view: the arrows change the setpoint by this' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l min -d 'With --step: no lower than this' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l max -d 'With --step: no higher than this' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -1827,6 +1834,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l record -d 'K
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l trigger -d 'Wait for something: \'current > 12A\'' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l pre -d 'So long before a trigger is recorded [default: 2s]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l post -d 'So long behind a trigger is recorded [default: 5s]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
@@ -2714,6 +2722,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -f -a "read" -d 'Parameters of one inverter, over PKW'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -f -a "module" -d 'A module of the Basic mode: by name, or by its bytes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l questions -d 'Ask each station so often how it is' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -2738,6 +2747,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -2795,6 +2805,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l filter -d 'Tel
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l trigger -d 'Wait for such a telegram, tell what is near' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l pre -d 'So long before a trigger is told [default: 2s]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l post -d 'So long behind a trigger is told [default: 5s]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l cfg -d 'What PROFIBUS carries: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l statistics -d 'Tell the statistics so often, not only at the end' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"

@@ -184,6 +184,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;read' {
             [CompletionResult]::new('--type', '--type', [CompletionResultType]::ParameterName, 'uint, int, word or long, whatever the catalogue says')
             [CompletionResult]::new('--decimals', '--decimals', [CompletionResultType]::ParameterName, 'Decimals, whatever the catalogue says')
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -225,6 +226,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;write' {
             [CompletionResult]::new('--type', '--type', [CompletionResultType]::ParameterName, 'uint, int, word or long, whatever the catalogue says')
             [CompletionResult]::new('--decimals', '--decimals', [CompletionResultType]::ParameterName, 'Decimals, whatever the catalogue says')
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -835,6 +837,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;diag' {
             [CompletionResult]::new('--link-test', '--link-test', [CompletionResultType]::ParameterName, 'Ask N harmless questions: error rate, reply times')
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
@@ -918,6 +921,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;statemachine' {
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
@@ -969,6 +973,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;state' {
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
@@ -1958,6 +1963,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--step', '--step', [CompletionResultType]::ParameterName, 'With --view: the arrows change the setpoint by this')
             [CompletionResult]::new('--min', '--min', [CompletionResultType]::ParameterName, 'With --step: no lower than this')
             [CompletionResult]::new('--max', '--max', [CompletionResultType]::ParameterName, 'With --step: no higher than this')
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -2019,6 +2025,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--step', '--step', [CompletionResultType]::ParameterName, 'With --view: the arrows change the setpoint by this')
             [CompletionResult]::new('--min', '--min', [CompletionResultType]::ParameterName, 'With --step: no lower than this')
             [CompletionResult]::new('--max', '--max', [CompletionResultType]::ParameterName, 'With --step: no higher than this')
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -2074,6 +2081,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--trigger', '--trigger', [CompletionResultType]::ParameterName, 'Wait for something: ''current > 12A''')
             [CompletionResult]::new('--pre', '--pre', [CompletionResultType]::ParameterName, 'So long before a trigger is recorded [default: 2s]')
             [CompletionResult]::new('--post', '--post', [CompletionResultType]::ParameterName, 'So long behind a trigger is recorded [default: 5s]')
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
@@ -3122,6 +3130,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;profibus;live' {
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
+            [CompletionResult]::new('--questions', '--questions', [CompletionResultType]::ParameterName, 'Ask each station so often how it is')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -3153,6 +3162,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;profibus;read' {
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -3225,6 +3235,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--trigger', '--trigger', [CompletionResultType]::ParameterName, 'Wait for such a telegram, tell what is near')
             [CompletionResult]::new('--pre', '--pre', [CompletionResultType]::ParameterName, 'So long before a trigger is told [default: 2s]')
             [CompletionResult]::new('--post', '--post', [CompletionResultType]::ParameterName, 'So long behind a trigger is told [default: 5s]')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'What PROFIBUS carries: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--statistics', '--statistics', [CompletionResultType]::ParameterName, 'Tell the statistics so often, not only at the end')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')

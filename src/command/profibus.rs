@@ -55,6 +55,12 @@ enum What {
         /// 8 ms hold from 93750 Bd on. An adapter that holds bytes back needs more.
         #[arg(long, value_name = "TIME", value_parser = parse_span)]
         slot_time: Option<Span>,
+        /// Ask each station so often how it is
+        ///
+        /// Its FDL status. Told are repeats as a histogram, questions without an answer, and the shortest, median and longest reply time, with
+        /// what the adapter adds.
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+        questions: Option<u32>,
     },
     /// Parameters of one inverter, over PKW
     ///
@@ -90,6 +96,7 @@ impl Verb for Args {
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim profibus live",
         "antrieb --port sim -a 3 profibus live",
+        "antrieb --port sim -a 3 profibus live --questions 100",
         "antrieb --port sim -a 3 --yes profibus read F002 614",
         "antrieb profibus module L200 get acceleration",
         "antrieb profibus module L200 set deceleration min 0x0001 max 0x7530",
@@ -100,7 +107,7 @@ impl Verb for Args {
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         match &self.what {
-            What::Live { slot_time } => Box::pin(live(*slot_time, context)),
+            What::Live { slot_time, questions } => Box::pin(live(*slot_time, questions.unwrap_or_default(), context)),
             What::Read { parameters, slave } => Box::pin(read::read(parameters, slave, context)),
             What::Module { module } => Box::pin(std::future::ready(self::module(module, context))),
         }
@@ -116,7 +123,7 @@ fn module(module: &[String], context: &Context<'_>) -> Result<Outcome, Failure> 
 }
 
 /// Tells who is on the line.
-async fn live(slot_time: Option<Span>, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+async fn live(slot_time: Option<Span>, questions: u32, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses(context.settings)?;
     if context.settings.dry_run {
         let telegrams = profibus::questions(addresses.first().copied());
@@ -129,7 +136,7 @@ async fn live(slot_time: Option<Span>, context: &mut Context<'_>) -> Result<Outc
     }
     let Context { settings, registry, interrupt, observe, .. } = context;
     let mut line = open(slot_time, (settings, registry), interrupt, *observe).await?;
-    let (found, ended) = profibus::live(&mut line, &addresses).await;
+    let (found, ended) = profibus::live(&mut line, &addresses, questions).await;
     let failure = ended.or_else(|| nobody(&found)).or_else(|| incomplete(&found));
     Ok(Outcome { data: Some(Data::LiveList(found)), warnings: Vec::new(), failure })
 }

@@ -1,8 +1,10 @@
 //! `sniff`: listens to what others say on a line. Never sends.
 
+use super::profibus;
 use super::verb::{Flow, Verb, Working};
-use super::{Context, connect, offline_family, output, telegram_reader};
+use super::{Context, connect, named_family, offline_family, output, telegram_reader};
 use crate::args::{self, Origin, Settings, Takes, parse_span};
+use crate::drive::decode::dp::Cyclic;
 use crate::drive::{Filter, Listening, Port, Unknown, sniff};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff, SniffSearch};
@@ -18,6 +20,8 @@ use std::str::FromStr;
 /// The line is not asked what is spoken on it: name `--protocol`, `--baud` and `--parity`, or let --search find them. Parameters are named as in the
 /// catalogue of --drive (acu, if none is named). Every telegram is a line as it comes, with `--format ndjson` a
 /// record; --json and CSV tell all at the end.
+///
+/// PROFIBUS-DP (--protocol dp) is told of any master; what Data_Exchange carries says --cfg.
 ///
 /// At the end, and with --statistics on the way, stands what was counted of each station: requests, replies, no answer, refusals, how often
 /// it was asked again, reply times, disturbed telegrams, pauses that were too short; and how full the line is.
@@ -76,6 +80,12 @@ pub struct Args {
     #[arg(long, requires = "trigger")]
     pub once: bool,
 
+    /// What PROFIBUS carries: basic, ppo1 to ppo5, or hex
+    ///
+    /// No telegram of Data_Exchange says it; Chk_Cfg and Get_Cfg do.
+    #[arg(long, value_name = "CFG", hide_short_help = true, help_heading = "PROFIBUS")]
+    pub cfg: Option<Cyclic>,
+
     /// Tell the statistics so often, not only at the end
     #[arg(long, value_name = "TIME", value_parser = parse_span)]
     pub statistics: Option<Span>,
@@ -90,9 +100,11 @@ const QUIET: Span = Span::from_secs(10);
 impl Verb for Args {
     const NAME: &'static str = "sniff";
     const TAKES: Takes = Takes::LISTENS;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port /dev/ttyUSB0 --baud 19200 sniff --duration 1m",
         "antrieb --port tape:line.txt sniff --drive act --format ndjson",
+        "antrieb -p /dev/ttyUSB0 --protocol dp --baud 93750 sniff --cfg ppo1",
         "antrieb -p /dev/ttyUSB0 sniff --pcap line.pcap --filter 'address=3'",
     ];
     type Prints = Document<OrPlan<Sniff>>;
@@ -109,7 +121,16 @@ impl Verb for Args {
 /// Listens until the time or the count is over, or somebody ends it.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let Context { settings, registry, interrupt, observe, .. } = context;
-    let family = offline_family(settings, registry)?;
+    let cyclic = settings.profibus.then_some(args.cfg);
+    match cyclic {
+        None if args.cfg.is_some() => return Err(only_on_profibus()),
+        None => {}
+        Some(_) => profibus::refuse(&[("--search", args.search)])?,
+    }
+    let family = match settings.profibus {
+        true => named_family(settings, registry, settings.drive.as_deref().unwrap_or(INVERTER))?,
+        false => offline_family(settings, registry)?,
+    };
     if settings.dry_run {
         return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() })));
     }
@@ -136,6 +157,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         pre: args.pre.unwrap_or(PRE),
         post: args.post.unwrap_or(POST),
         once: args.once,
+        profibus: cyclic,
     };
     // What is looked for is known to nobody yet.
     let settings = &Settings { unknown: args::Unknown::default(), ..(*settings).clone() };
@@ -143,6 +165,15 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let (heard, error) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
     let failure = error.map(|error| error.failure(0, None)).or_else(|| unheard(&heard));
     Ok(Outcome { data: Some(Data::Sniff(heard)), warnings: Vec::new(), failure })
+}
+
+/// By whose names PROFIBUS is told where no inverter is named.
+const INVERTER: &str = "l200";
+
+fn only_on_profibus() -> Failure {
+    let message = both!("--cfg means something on PROFIBUS alone", "--cfg bedeutet nur am PROFIBUS etwas");
+    Failure::new(Class::Usage, "usage.profibus", message)
+        .hint(both!("add --protocol dp, or leave it out", "--protocol dp angeben oder es weglassen"))
 }
 
 /// What is to be found: whatever was said to be auto, and with --search whatever was not typed.
@@ -195,6 +226,7 @@ fn unheard(sniff: &Sniff) -> Option<Failure> {
         _ => {}
     }
     let (line, protocol, heard) = (&summary.line, summary.protocol, summary.count.heard);
+    let asks = if protocol == "dp" { "profibus live" } else { "scan" };
     let failure = match (heard, heard - summary.count.garbled) {
         (0, _) => Failure::new(
             Class::Silence,
@@ -206,9 +238,9 @@ fn unheard(sniff: &Sniff) -> Option<Failure> {
             ),
         )
         .hint(both!(
-            "sniff never sends: is a master asking on this line? Check A and B; `antrieb scan` asks itself, and \
+            "sniff never sends: is a master asking on this line? Check A and B; `antrieb {asks}` asks itself, and \
              `antrieb decode trace FILE` reads a recording with what was sent",
-            "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb scan` fragt selbst, und \
+            "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb {asks}` fragt selbst, und \
              `antrieb decode trace DATEI` liest eine Aufzeichnung mit dem, was gesendet wurde"
         )),
         (_, 0) => Failure::new(

@@ -2,6 +2,7 @@
 //! read and written ([`Exchange`]), and modules of an
 //! SJ2-PB in Basic mode by name, from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
 
+mod described;
 mod ending;
 mod exchange;
 mod line;
@@ -20,6 +21,7 @@ mod watched;
 mod words;
 mod write;
 
+pub use described::{described, of_gsd};
 pub use ending::Ending;
 pub use exchange::{Exchange, Taking, WATCHDOG};
 pub use line::Line;
@@ -40,6 +42,7 @@ use super::decode::hex_bytes;
 use crate::failure::{Class, Failure};
 use crate::outcome::BasicModule;
 use crate::profile::{Family, Registry};
+pub use crate::protocol::dp::gsd::Gsd;
 use crate::protocol::dp::module::{Content, Module, Series};
 use crate::text::{Text, both};
 use std::rc::Rc;

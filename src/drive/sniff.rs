@@ -8,10 +8,13 @@ pub use filter::Filter;
 
 use super::access::AccessError;
 use super::decode::Reader;
+use super::decode::dp::{self, Cyclic};
 use super::scan::Unknown;
 use super::session::Session;
 use crate::exchange::Cutter;
 use crate::outcome::{Event, Record, Sniff, SniffSummary, TelegramDoc};
+use crate::protocol::dp::{EVERYBODY, NAME};
+use crate::protocol::modbus::BROADCAST;
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use crate::transport::Wake;
@@ -45,6 +48,8 @@ pub struct Listening {
     pub post: Span,
     /// End behind the first one.
     pub once: bool,
+    /// PROFIBUS-DP is spoken, and what cyclic data are, if that is known.
+    pub profibus: Option<Option<Cyclic>>,
 }
 
 /// Tells every telegram as a record until the time or the count is over, or somebody interrupts, which is the normal end;
@@ -57,7 +62,7 @@ pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listeni
         true => Some(search(session, &mut reader, plan.unknown, until).await),
         false => None,
     };
-    let (mut ear, mut log) = (Ear::of(session, reader), Log::new(plan));
+    let (mut ear, mut log) = (Ear::of(session, reader, plan.profibus), Log::new(plan));
     let (because, error) = match &sought {
         Some(Sought { found: false, because, .. }) => (*because, None),
         _ => listen(session, &mut ear, &mut log, begin).await,
@@ -126,7 +131,7 @@ fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> Sniff
         because,
         port: session.port().to_owned(),
         line: session.line().to_string(),
-        protocol: session.protocol().name(),
+        protocol: ear.speaks,
         search: None,
         count: ear.census.count(session.now()),
         unseen: unseen(),
@@ -134,11 +139,12 @@ fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> Sniff
 }
 
 /// What a census must know of the line.
-fn terms(session: &Session<'_>) -> Terms {
+fn terms(session: &Session<'_>, is_profibus: bool) -> Terms {
     let line = session.line();
     // Only in RTU silences part the telegrams.
-    let pause = (session.protocol().name() == "rtu").then(|| line.t35());
-    Terms { thousand: line.chars(1_000), pause, patience: session.limits().reply_timeout }
+    let pause = (session.protocol().name() == "rtu" && !is_profibus).then(|| line.t35());
+    let everybody = if is_profibus { EVERYBODY } else { BROADCAST };
+    Terms { thousand: line.chars(1_000), pause, patience: session.limits().reply_timeout, everybody }
 }
 
 /// What a serial adapter does not tell.
@@ -217,6 +223,10 @@ impl Log {
 /// Turns bytes and silence into telegrams in words.
 struct Ear<'r> {
     reader: Reader<'r>,
+    /// In its place, where PROFIBUS-DP is spoken.
+    profibus: Option<dp::Reader<'r>>,
+    /// The word of what is spoken.
+    speaks: &'static str,
     cutter: Cutter,
     /// When each of the bytes came that belong to no telegram yet.
     arrivals: VecDeque<Tick>,
@@ -233,18 +243,21 @@ struct Ear<'r> {
 
 impl<'r> Ear<'r> {
     /// On the line of a session.
-    fn of(session: &Session<'_>, reader: Reader<'r>) -> Self {
-        let cutter = Cutter::new(reader.protocol, session.line());
-        let census = Census::new(terms(session), session.now());
+    fn of(session: &Session<'_>, reader: Reader<'r>, profibus: Option<Option<Cyclic>>) -> Self {
+        let profibus = profibus.map(|cyclic| dp::Reader { family: reader.family, cyclic });
+        let cutter = profibus.map_or_else(|| Cutter::new(reader.protocol, session.line()), |_| Cutter::dp());
+        let census = Census::new(terms(session, profibus.is_some()), session.now());
+        let speaks = if profibus.is_some() { NAME } else { session.protocol().name() };
         let since_1970 = session
             .since_1970()
             .map(|span| Span::from_micros(span.as_micros().saturating_sub(session.now().as_micros())));
-        Ear { since_1970, ..Ear::new(reader, cutter, session.limits().reply_timeout, census) }
+        Ear { profibus, speaks, since_1970, ..Ear::new(reader, cutter, session.limits().reply_timeout, census) }
     }
 
     fn new(reader: Reader<'r>, cutter: Cutter, patience: Span, census: Census) -> Self {
         let (arrivals, asked) = (VecDeque::new(), None);
-        Ear { reader, cutter, arrivals, patience, asked, is_in: false, census, since_1970: None }
+        let (profibus, speaks) = (None, reader.protocol.name());
+        Ear { reader, profibus, speaks, cutter, arrivals, patience, asked, is_in: false, census, since_1970: None }
     }
 
     /// When what is open will stay so, if the last byte came at `last`.
@@ -270,7 +283,14 @@ impl<'r> Ear<'r> {
     fn telegram(&mut self, bytes: &[u8]) -> TelegramDoc {
         let came: Vec<Tick> = self.arrivals.drain(..bytes.len().min(self.arrivals.len())).collect();
         let at = came.first().copied().unwrap_or_default();
-        let mut doc = self.reader.telegram(bytes, None);
+        let mut doc = match &self.profibus {
+            Some(reader) => reader.telegram(bytes),
+            None => self.reader.telegram(bytes, None),
+        };
+        // A short acknowledgement names nobody: it is of whoever was asked.
+        if doc.check_ok && doc.address.is_none() && doc.direction == Some("reply") {
+            doc.address = self.asked.and_then(|(_, address, _)| address);
+        }
         let same = |(then, address, function)| {
             at.since(then) <= self.patience && (address, function) == (doc.address, doc.function)
         };
@@ -301,7 +321,7 @@ mod tests {
 
     fn ear(protocol: Protocol) -> Ear<'static> {
         let reader = Reader { protocol, node: 0, family: None, order: None };
-        let terms = Terms { thousand: LINE.chars(1_000), pause: None, patience: Span::from_millis(500) };
+        let terms = Terms { thousand: LINE.chars(1_000), pause: None, patience: Span::from_millis(500), everybody: 0 };
         let census = Census::new(terms, Tick::from_micros(0));
         Ear::new(reader, Cutter::new(protocol, LINE), Span::from_millis(500), census)
     }

@@ -1,6 +1,7 @@
 //! Cuts what somebody hears who never asks into telegrams and what is none.
 
-use super::dialect::{Cut, Dialect};
+use super::dialect::{Cut, Dialect, STRAGGLE};
+use super::dp::Telegrams;
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::tick::Span;
@@ -18,6 +19,11 @@ impl Cutter {
     pub fn new(protocol: Protocol, line: LineSetting) -> Self {
         let (cut, pause) = Dialect::new(protocol).cutter(line);
         Cutter { cut, pause }
+    }
+
+    /// A cutter of PROFIBUS-DP, whose telegrams tell how long they are.
+    pub fn dp() -> Self {
+        Cutter { cut: Box::new(Telegrams::default()), pause: STRAGGLE }
     }
 
     /// The pieces that are certain now that these bytes came.

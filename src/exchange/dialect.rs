@@ -186,7 +186,7 @@ pub(super) trait Cut: Debug {
 }
 
 /// Bytes of one telegram may come in pieces with pauses between them: USB adapters hold them for up to 16 ms.
-const STRAGGLE: Span = Span::from_millis(50);
+pub(super) const STRAGGLE: Span = Span::from_millis(50);
 
 /// What a protocol says of itself. What is answered here holds where it says nothing else; a question or an answer of another
 /// protocol is none of its own.

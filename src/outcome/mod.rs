@@ -43,7 +43,7 @@ pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 pub use procedure::{
     GivenValue, KeptStep, Procedure, ProcedureRecord, ProcedureStep, ProcedureTold, Procedures, StepFate,
 };
-pub use profibus::{BasicModule, LiveList, LiveStation, SlaveDiagnosis};
+pub use profibus::{Answers, BasicModule, LiveList, LiveStation, SlaveDiagnosis};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use report::{Form, Logo, Report, ReportedDrive};
 pub use stream::{

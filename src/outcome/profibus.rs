@@ -67,12 +67,33 @@ pub struct LiveStation {
     pub answered_us: Option<u64>,
     /// How often it had to be asked again.
     pub repeats: u64,
+    /// How it answers, where it was asked many times (`--questions`).
+    pub answers: Option<Answers>,
     /// Slave_Diag, field by field.
     pub diagnosis: Vec<Field>,
     /// Get_Cfg, identifier by identifier.
     pub identifiers: Vec<Field>,
     /// Why it is not all told.
     pub error: Option<ErrorDoc>,
+}
+
+/// How a station answers the same question (FDL status) many times over.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct Answers {
+    /// How often it was asked, repeats not counted.
+    pub asked: u64,
+    /// Of these, answered at once, behind one repeat, behind two, and so on.
+    pub repeats: Vec<u64>,
+    /// Not answered at all.
+    pub silences: u64,
+    /// Answered by garbage only.
+    pub garbled: u64,
+    /// From the end of a question that was answered at once to the end of its answer, microseconds: the shortest.
+    pub least_us: Option<u64>,
+    /// The median.
+    pub median_us: Option<u64>,
+    /// The longest.
+    pub most_us: Option<u64>,
 }
 
 /// What a slave of PROFIBUS tells besides.

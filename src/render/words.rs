@@ -78,6 +78,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("title", "Bezeichnung"),
     ("why", "Grund"),
     // PROFIBUS.
+    ("no answer", "ohne Antwort"),
     ("ident", "Ident"),
     ("reply", "Antwort"),
     ("data", "Daten"),

@@ -2,7 +2,9 @@
 //! itself is asked.
 
 mod basic;
+mod described;
 mod ends;
+mod heard;
 mod looked;
 mod rig;
 mod said;

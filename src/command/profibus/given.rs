@@ -8,10 +8,17 @@ use crate::profile::{Family, Param, Selector};
 use crate::text::{Wrong, both};
 use crate::tick::Span;
 use clap::Args;
+use std::path::PathBuf;
 
 /// How a slave is taken.
 #[derive(Clone, Debug, Default, Args)]
 pub struct SlaveArgs {
+    /// The GSD of the slave
+    ///
+    /// Its ident number must be that of the slave, and its user parameters go into Set_Prm with those of the module that has the
+    /// bytes of the mode. Two GSDs of an SJ2-PB choose between Basic and ProfiDrive mode.
+    #[arg(long, value_name = "FILE", conflicts_with = "user_prm", hide_short_help = true, help_heading = "PROFIBUS")]
+    pub gsd: Option<PathBuf>,
     /// User parameters of Set_Prm (hex), if the GSD wants any
     #[arg(long, value_name = "HEX", hide_short_help = true, help_heading = "PROFIBUS")]
     pub user_prm: Option<UserPrm>,
@@ -25,13 +32,13 @@ pub struct SlaveArgs {
 impl SlaveArgs {
     /// Whether a slave is meant: PROFIBUS is spoken. Fails if only the options say so.
     pub(in crate::command) fn is_meant(&self, settings: &Settings) -> Result<bool, Failure> {
-        let is_given = self.user_prm.is_some() || self.slot_time.is_some();
+        let is_given = self.gsd.is_some() || self.user_prm.is_some() || self.slot_time.is_some();
         if settings.profibus || !is_given {
             return Ok(settings.profibus);
         }
         let message = both!(
-            "--user-prm and --slot-time mean something on PROFIBUS alone",
-            "--user-prm und --slot-time bedeuten nur am PROFIBUS etwas"
+            "--gsd, --user-prm and --slot-time mean something on PROFIBUS alone",
+            "--gsd, --user-prm und --slot-time bedeuten nur am PROFIBUS etwas"
         );
         Err(Failure::new(Class::Usage, "usage.profibus", message)
             .hint(both!("add --protocol dp, or leave them out", "--protocol dp angeben oder sie weglassen")))

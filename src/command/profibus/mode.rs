@@ -2,7 +2,7 @@
 
 use super::spoken::{Choice, Spoken};
 use super::taking::Whom;
-use crate::drive::profibus::{self, Course, Line, Mode, Taking, basic_block, configured};
+use crate::drive::profibus::{self, Course, Line, Mode, Taking, WATCHDOG, configured};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Event, Outcome, Plan};
 use crate::text::{Text, both};
@@ -12,9 +12,10 @@ impl Whom<'_> {
     /// Refuses what needs no slave to be known as wrong.
     pub(super) fn knows(&self, choice: Choice) -> Result<(), Failure> {
         match choice.spoken {
-            Some(Spoken::Basic) => block(self).map(|_| ()).ok_or_else(no_series),
+            Some(Spoken::Basic) if self.gsd.is_none() => self.block().map(|_| ()).ok_or_else(no_series),
             Some(Spoken::Profidrive) if choice.ramps.is_some() => Err(no_ramps()),
-            _ => Ok(()),
+            Some(spoken) => self.taken(mode(choice, spoken == Spoken::Basic), WATCHDOG).map(|_| ()),
+            None => Ok(()),
         }
     }
 
@@ -25,10 +26,9 @@ impl Whom<'_> {
         choice: Choice,
         (watchdog, is_stop): (Span, bool),
     ) -> Result<Taking, Failure> {
-        let block = block(self);
         let (is_basic, why) = match choice.spoken {
             Some(spoken) => (spoken == Spoken::Basic, Text::name("--mode")),
-            None => told(configured(line, self.address, is_stop).await?, block.is_some()),
+            None => told(configured(line, self.address, is_stop).await?, self.gsd.is_some() || self.block().is_some()),
         };
         if !is_basic && choice.ramps.is_some() {
             return Err(no_ramps());
@@ -39,8 +39,7 @@ impl Whom<'_> {
             "Station {address}: Modus {name}: {why}",
             why
         )));
-        let user = if is_basic { block.unwrap_or_default() } else { self.slave.user() };
-        Ok(Taking { mode: mode(choice, is_basic), user, watchdog })
+        self.taken(mode(choice, is_basic), watchdog)
     }
 }
 
@@ -59,20 +58,14 @@ fn told(found: Option<(String, bool)>, has_series: bool) -> (bool, Text) {
     }
 }
 
-/// User parameters of the Basic block: those that were given, or the block of the series that was named.
-fn block(whom: &Whom<'_>) -> Option<Vec<u8>> {
-    let given = Some(whom.slave.user()).filter(|user| !user.is_empty());
-    given.or_else(|| basic_block(&whom.named.as_ref()?.drive))
-}
-
 fn no_series() -> Failure {
     let message = both!(
         "--mode basic names the inverter in Set_Prm, and nothing tells which it is",
         "--mode basic nennt in Set_Prm den Umrichter, und nichts sagt, welcher es ist"
     );
     Failure::new(Class::Usage, "usage.series", message).hint(both!(
-        "--drive l200, sj200 or x200; or --user-prm with the bytes of the GSD",
-        "--drive l200, sj200 oder x200; oder --user-prm mit den Bytes der GSD"
+        "--drive l200, sj200 or x200; or --gsd, or --user-prm with its bytes",
+        "--drive l200, sj200 oder x200; oder --gsd, oder --user-prm mit deren Bytes"
     ))
 }
 

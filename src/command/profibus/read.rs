@@ -33,7 +33,7 @@ pub(in crate::command) async fn read(
     let permit = asking::off_line(interrupt, *ask, &question(address, &why, Some(Spoken::Profidrive))).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
     let mut haul = profibus::Haul::default();
-    let mut exchange = whom.exchange(&mut line, &permit);
+    let mut exchange = whom.exchange(&mut line, &permit)?;
     let done = async {
         let family = exchange.family(whom.named.clone(), registry).await?;
         for param in params(typed, &family)? {

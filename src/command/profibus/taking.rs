@@ -4,11 +4,12 @@ use super::addresses;
 use super::given::SlaveArgs;
 use super::spoken::Spoken;
 use crate::command::{Context, named_family};
-use crate::drive::profibus::{Exchange, Line, Mode, Taking, WATCHDOG};
+use crate::drive::profibus::{Exchange, Gsd, Line, Mode, Taking, WATCHDOG, basic_block, described, of_gsd};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Motion, Permit, Question};
 use crate::profile::Family;
 use crate::text::{Text, both};
+use crate::tick::Span;
 use std::rc::Rc;
 
 /// The family whose names hold as long as nobody has asked the inverter (P.624).
@@ -22,6 +23,8 @@ pub(super) struct Whom<'s> {
     /// The one that was named.
     pub(super) named: Option<Rc<Family>>,
     pub(super) slave: &'s SlaveArgs,
+    /// Its GSD, if one was given.
+    pub(super) gsd: Option<Gsd>,
 }
 
 /// Whom the settings name: one slave.
@@ -30,14 +33,38 @@ pub(super) fn whom<'s>(slave: &'s SlaveArgs, context: &Context<'_>) -> Result<Wh
     let drive = context.settings.drive.as_deref();
     let presumed = named_family(context.settings, context.registry, drive.unwrap_or(PRESUMED))?;
     let named = drive.is_some().then(|| presumed.clone());
-    Ok(Whom { address, presumed, named, slave })
+    let gsd = slave.gsd.as_deref().map(described).transpose()?;
+    Ok(Whom { address, presumed, named, slave, gsd })
 }
 
 impl Whom<'_> {
     /// Begins to exchange data with it for its parameters, which ProfiDrive mode alone has.
-    pub(super) fn exchange<'l, 'a>(&self, line: &'l mut Line<'a>, permit: &Permit<Motion>) -> Exchange<'l, 'a> {
-        let taking = Taking { mode: Mode::Profidrive, user: self.slave.user(), watchdog: WATCHDOG };
-        Exchange::new(line, self.address, taking, permit)
+    pub(super) fn exchange<'l, 'a>(
+        &self,
+        line: &'l mut Line<'a>,
+        permit: &Permit<Motion>,
+    ) -> Result<Exchange<'l, 'a>, Failure> {
+        Ok(Exchange::new(line, self.address, self.taken(Mode::Profidrive, WATCHDOG)?, permit))
+    }
+
+    /// How it is taken in a mode, with what its GSD says, or what was typed.
+    pub(super) fn taken(&self, mode: Mode, watchdog: Span) -> Result<Taking, Failure> {
+        let user = match (&self.gsd, mode) {
+            (Some(gsd), _) => of_gsd(gsd, mode, self.series().as_deref())?,
+            (None, Mode::Basic(_)) => self.block().unwrap_or_default(),
+            (None, Mode::Profidrive) => self.slave.user(),
+        };
+        Ok(Taking { mode, user, watchdog, ident: self.gsd.as_ref().map(|gsd| gsd.ident) })
+    }
+
+    /// User parameters of the Basic block: those that were given, or the block of the series that was named.
+    pub(super) fn block(&self) -> Option<Vec<u8>> {
+        let given = Some(self.slave.user()).filter(|user| !user.is_empty());
+        given.or_else(|| self.series())
+    }
+
+    fn series(&self) -> Option<Vec<u8>> {
+        basic_block(&self.named.as_ref()?.drive)
     }
 }
 

@@ -46,7 +46,7 @@ pub(in crate::command) async fn write(
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let permit = asking::off_line(interrupt, *ask, &question(whom.address, &why, Some(Spoken::Profidrive))).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
-    let mut exchange = whom.exchange(&mut line, &permit);
+    let mut exchange = whom.exchange(&mut line, &permit)?;
     let mut job = None;
     let done = async {
         let family = exchange.family(whom.named.clone(), registry).await?;

@@ -48,6 +48,8 @@ pub struct Taking {
     pub user: Vec<u8>,
     /// It lets go of us behind this.
     pub watchdog: Span,
+    /// The ident number of its GSD, where one was given.
+    pub ident: Option<u16>,
 }
 
 /// A slave that exchanges data.
@@ -89,9 +91,9 @@ impl std::fmt::Debug for Exchange<'_, '_> {
 impl<'l, 'a> Exchange<'l, 'a> {
     /// Takes the slave. It must be left by [`Exchange::leave`], however the work ends.
     pub fn new(line: &'l mut Line<'a>, address: u8, taking: Taking, _permit: &Permit<Motion>) -> Self {
-        let Taking { mode, user, watchdog } = taking;
+        let Taking { mode, user, watchdog, ident } = taking;
         let layout = mode.layout();
-        let setup = Setup { watchdog: factors(watchdog), user, cfg: layout.bytes().to_vec() };
+        let setup = Setup { watchdog: factors(watchdog), user, cfg: layout.bytes().to_vec(), ident };
         let now = line.now();
         let station = Station::new(address, setup, vec![0; layout.length()], now);
         Exchange {

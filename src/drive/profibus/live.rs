@@ -8,7 +8,7 @@ use super::trouble;
 use crate::drive::decode::dp::{Reader, configuration, diagnosed, station};
 use crate::exchange::dp::{Asked, MASTER, Reply, Unanswered};
 use crate::failure::{Class, Failure};
-use crate::outcome::{ErrorDoc, Event, Field, LiveList, LiveStation, TelegramDoc};
+use crate::outcome::{Answers, ErrorDoc, Event, Field, LiveList, LiveStation, TelegramDoc};
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::control::Station;
 use crate::protocol::dp::{Diagnosis, LAST_STATION, Service, diagnosis};
@@ -35,7 +35,7 @@ pub fn questions(address: Option<u8>) -> Vec<TelegramDoc> {
 }
 
 /// Asks every address who is there, and the slaves what they are. Also what ended it early.
-pub async fn live(line: &mut Line<'_>, addresses: &[u8]) -> (LiveList, Option<Failure>) {
+pub async fn live(line: &mut Line<'_>, addresses: &[u8], questions: u32) -> (LiveList, Option<Failure>) {
     let (port, setting) = line.name();
     let mut list = LiveList { port, line: setting, asked: 0, addresses: addresses.len(), stations: Vec::new() };
     let total = addresses.len() as u64;
@@ -51,7 +51,40 @@ pub async fn live(line: &mut Line<'_>, addresses: &[u8]) -> (LiveList, Option<Fa
         }
         list.asked += 1;
     }
+    for station in list.stations.iter_mut().filter(|_| questions > 0) {
+        match answers(line, station.address, questions).await {
+            Ok(answers) => station.answers = Some(answers),
+            Err(failure) => return (list, Some(failure)),
+        }
+    }
     (list, None)
+}
+
+/// Asks a station the same many times.
+async fn answers(line: &mut Line<'_>, address: u8, questions: u32) -> Result<Answers, Failure> {
+    let mut answers = Answers { asked: questions.into(), ..Answers::default() };
+    let mut times = Vec::new();
+    for done in 0..questions {
+        let what = both!("questions to station {address}", "Fragen an Station {address}");
+        line.tell(Event::Progress { done: done.into(), total: questions.into(), what });
+        let before = line.fdl.repeats(address);
+        match line.ask(address, Asked::STATUS, None).await? {
+            Ok(_) => {
+                let repeats = usize::try_from(line.fdl.repeats(address) - before).unwrap_or(usize::MAX);
+                answers.repeats.resize(answers.repeats.len().max(repeats + 1), 0);
+                answers.repeats.iter_mut().skip(repeats).take(1).for_each(|count| *count += 1);
+                times.extend(line.fdl.answered_after().map(Span::as_micros));
+            }
+            Err(Unanswered::Silence { .. }) => answers.silences += 1,
+            Err(Unanswered::Garbled { .. }) => answers.garbled += 1,
+            Err(why @ Unanswered::OtherMaster(_)) => return Err(trouble::unanswered(address, &why)),
+        }
+    }
+    times.sort_unstable();
+    answers.least_us = times.first().copied();
+    answers.median_us = times.get(times.len() / 2).copied();
+    answers.most_us = times.last().copied();
+    Ok(answers)
 }
 
 /// What a slave says that it is configured for, and whether that is the Basic block; `None` where it says nothing. Whoever `insists` is

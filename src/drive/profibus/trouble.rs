@@ -175,6 +175,13 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure 
     let configured = if mode.is_basic() { "Basic" } else { "PPO1" };
     let (code, told) = match why {
         Trouble::Locked(master) => ("forbidden.locked", both!("master {master} has it", "Master {master} hat sie")),
+        Trouble::Other { expected, found } => (
+            "data.ident",
+            both!(
+                "it tells ident number {found:04X}h, its GSD {expected:04X}h; nothing was sent to it but questions",
+                "sie nennt Ident-Nummer {found:04X}h, ihre GSD {expected:04X}h; gesendet wurden nur Fragen"
+            ),
+        ),
         Trouble::Parameters => {
             ("refused.prm_fault", both!("it refuses Set_Prm (Prm_Fault)", "sie lehnt Set_Prm ab (Prm_Fault)"))
         }
@@ -192,6 +199,7 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure 
     };
     let class = match why {
         Trouble::Locked(_) => Class::Forbidden,
+        Trouble::Other { .. } => Class::Data,
         Trouble::Unanswered(_) | Trouble::Strange(_) => Class::Garbled,
         _ => Class::Refused,
     };
@@ -201,18 +209,22 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure 
         told
     );
     let hint = match mode {
+        _ if matches!(why, Trouble::Other { .. }) => both!(
+            "is it the GSD of this slave? `antrieb -a {address} profibus live` tells its diagnosis",
+            "Ist es die GSD dieses Slaves? `antrieb -a {address} profibus live` nennt seine Diagnose"
+        ),
         Mode::Profidrive => both!(
-            "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm goes into --user-prm; a module in Basic mode is run \
+            "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm, --gsd or --user-prm say; a module in Basic mode is run \
              with --mode basic and --drive; `antrieb -a {address} profibus live` tells its diagnosis",
-            "PKW gibt es nur im ProfiDrive-Modus; was seine GSD in Set_Prm verlangt, kommt in --user-prm; ein Modul im Basic-Modus \
+            "PKW gibt es nur im ProfiDrive-Modus; was seine GSD in Set_Prm verlangt, sagen --gsd oder --user-prm; ein Modul im Basic-Modus \
              fährt mit --mode basic und --drive; `antrieb -a {address} profibus live` nennt seine Diagnose"
         ),
         Mode::Basic(_) => both!(
-            "the block names the series: is --drive the inverter that is there? What its GSD wants in Set_Prm goes into --user-prm, \
-             whole; a module in ProfiDrive mode is run with --mode profidrive; `antrieb -a {address} profibus live` tells its \
+            "the block names the series: is --drive the inverter that is there? What its GSD wants in Set_Prm, --gsd or --user-prm \
+             say, whole; a module in ProfiDrive mode is run with --mode profidrive; `antrieb -a {address} profibus live` tells its \
              diagnosis",
-            "der Block nennt die Serie: ist --drive der Umrichter, der da ist? Was seine GSD in Set_Prm verlangt, kommt ganz in \
-             --user-prm; ein Modul im ProfiDrive-Modus fährt mit --mode profidrive; `antrieb -a {address} profibus live` nennt seine \
+            "der Block nennt die Serie: ist --drive der Umrichter, der da ist? Was seine GSD in Set_Prm verlangt, sagen --gsd oder \
+             ganz --user-prm; ein Modul im ProfiDrive-Modus fährt mit --mode profidrive; `antrieb -a {address} profibus live` nennt seine \
              Diagnose"
         ),
     };

@@ -30,6 +30,8 @@ pub(super) struct Terms {
     pub(super) pause: Option<Span>,
     /// How long a reply may take.
     pub(super) patience: Span,
+    /// The address of everybody; nobody answers.
+    pub(super) everybody: u8,
 }
 
 impl Terms {
@@ -81,8 +83,6 @@ struct Tally {
 
 /// A time in the rows of [`Tally::times`].
 const TENTH_MS: u64 = 100;
-/// Everybody; nobody answers.
-const BROADCAST: u8 = 0;
 
 impl Census {
     pub(super) fn new(terms: Terms, began: Tick) -> Self {
@@ -126,7 +126,7 @@ impl Census {
             }
             None => 0,
         };
-        self.open = (address != BROADCAST).then(|| Open { address, hex: doc.hex.clone(), at, again });
+        self.open = (address != self.terms.everybody).then(|| Open { address, hex: doc.hex.clone(), at, again });
     }
 
     fn answered(&mut self, address: u8, doc: &TelegramDoc, start: Tick, came: Came) {
@@ -226,7 +226,7 @@ mod tests {
     /// 1 ms a character, so that one can count along.
     fn census() -> Census {
         let (thousand, pause) = (Span::from_secs(1), Some(Span::from_micros(3_500)));
-        Census::new(Terms { thousand, pause, patience: Span::from_millis(500) }, Tick::from_micros(0))
+        Census::new(Terms { thousand, pause, patience: Span::from_millis(500), everybody: 0 }, Tick::from_micros(0))
     }
 
     /// Handed over in one piece at this time.

@@ -1,8 +1,8 @@
 //! The data link layer of a single master, one question at a time.
 
+use super::cut::first;
 use crate::exchange::{Conversation, Record, Step, Tally, Verdict};
 use crate::protocol::dp::control::{Count, Function, Station, Status};
-use crate::protocol::dp::frame::length;
 use crate::protocol::dp::{Control, EVERYBODY, Frame, Service, Telegram};
 use crate::protocol::line::LineSetting;
 use crate::tick::{Span, Tick};
@@ -328,27 +328,11 @@ impl Fdl {
 
     /// Takes telegrams out of what was heard.
     fn look(&mut self, now: Tick) {
-        let mut at = 0;
-        while let Some(rest) = self.heard.get(at..).filter(|rest| !rest.is_empty()) {
-            let whole = match length(rest) {
-                // What has begun is nothing else: a value may have the bytes of SC or of a token.
-                Ok(Some(length)) if length > rest.len() => return,
-                Ok(None) => return,
-                length => length.ok().flatten().and_then(|length| rest.get(..length)),
-            };
-            let told = whole.and_then(|bytes| Some((Telegram::decode(bytes).ok()?, bytes.to_vec())));
-            // These have no check: what stands before them tells that they are bytes of something else.
-            let is_bare = |told: &(Telegram, _)| matches!(told.0, Telegram::Ack | Telegram::Token { .. });
-            let Some((telegram, bytes)) = told.filter(|told| at == 0 || !is_bare(told)) else {
-                at += 1;
-                continue;
-            };
-            let before: Vec<u8> = self.heard.drain(..at + bytes.len()).take(at).collect();
+        while let Some((before, telegram, bytes)) = first(&mut self.heard) {
             if !before.is_empty() {
                 self.note(now, Verdict::Garbage, before.clone());
                 self.open.iter_mut().for_each(|open| open.garbage.extend(&before));
             }
-            at = 0;
             if let Some(result) = self.weigh(now, telegram, bytes) {
                 return self.ends(now, result);
             }

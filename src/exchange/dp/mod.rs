@@ -5,11 +5,13 @@
 //! the first byte of ours. [`Station`] leads a slave from Slave_Diag to Data_Exchange and lets it go again, and [`Request`] reads or
 //! writes a parameter over PKW.
 
+mod cut;
 mod fdl;
 mod listen;
 mod request;
 mod station;
 
+pub(super) use cut::Telegrams;
 pub use fdl::{Asked, Fdl, Reply, Timing, Unanswered};
 pub use listen::{Heard, Listening};
 pub use request::{Place, Request, Told};

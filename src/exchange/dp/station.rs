@@ -17,6 +17,8 @@ pub struct Setup {
     pub user: Vec<u8>,
     /// Bytes of Chk_Cfg.
     pub cfg: Vec<u8>,
+    /// The ident number that it must tell, where one is known.
+    pub ident: Option<u16>,
 }
 
 /// Why a slave does not exchange data.
@@ -28,6 +30,14 @@ pub enum Trouble {
     /// Another master has it.
     #[error("master {0} has the slave")]
     Locked(u8),
+    /// It is another one than its GSD says.
+    #[error("ident number {found:04X}h in place of {expected:04X}h")]
+    Other {
+        /// The ident number of the GSD.
+        expected: u16,
+        /// The one that it tells.
+        found: u16,
+    },
     /// It refuses Set_Prm.
     #[error("Prm_Fault")]
     Parameters,
@@ -175,6 +185,9 @@ impl Station {
         if ![diagnosis::NOBODY, MASTER].contains(&found.master) {
             self.owned = false;
             return Err(Trouble::Locked(found.master));
+        }
+        if let Some(expected) = self.setup.ident.filter(|ident| *ident != found.ident) {
+            return Err(Trouble::Other { expected, found: found.ident });
         }
         let [first, second, _] = found.status;
         match self.stage {

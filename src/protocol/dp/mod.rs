@@ -11,6 +11,7 @@ pub mod cfg;
 pub mod control;
 pub mod diagnosis;
 pub mod frame;
+pub mod gsd;
 pub mod module;
 pub mod pkw;
 pub mod prm;

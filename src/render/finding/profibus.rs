@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::{Finding, Rows};
-use crate::outcome::{BasicModule, LiveList, LiveStation};
+use crate::outcome::{Answers, BasicModule, LiveList, LiveStation};
 
 impl Finding for BasicModule {
     fn table(&self, page: Page) -> String {
@@ -40,6 +40,23 @@ impl Finding for LiveList {
 }
 
 impl Page {
+    /// How each station answers, where it was asked many times.
+    fn answers(self, live: &LiveList) -> String {
+        let ms =
+            |us: Option<u64>| us.map_or_else(|| "-".to_owned(), |us| format!("{}.{:02}", us / 1_000, us % 1_000 / 10));
+        let row = |address: u8, answers: &Answers| {
+            let repeats = answers.repeats.iter().enumerate().map(|(again, count)| format!("{again}: {count}"));
+            let counts = [answers.silences, answers.garbled].map(|count| count.to_string());
+            let times = [answers.least_us, answers.median_us, answers.most_us].map(ms);
+            let first = [address.to_string(), answers.asked.to_string(), repeats.collect::<Vec<_>>().join(", ")];
+            first.into_iter().chain(counts).chain(times).collect()
+        };
+        let asked = live.stations.iter().filter_map(|station| Some(row(station.address, station.answers.as_ref()?)));
+        let rows: Vec<Vec<String>> = asked.collect();
+        let head = ["addr", "asked", "=repeats", "no answer", "garbled", "min ms", "median ms", "max ms"];
+        if rows.is_empty() { String::new() } else { format!("\n{}", self.table(&head, rows)) }
+    }
+
     fn live(self, live: &LiveList) -> String {
         let row = |station: &LiveStation| {
             let or_none = |told: Option<&str>| told.unwrap_or("-").to_owned();
@@ -58,6 +75,7 @@ impl Page {
         };
         let head = ["addr", "", "ident", "master", "state", "data", "reply", "repeats"];
         let mut text = self.table(&head, live.stations.iter().map(row).collect());
+        text += &self.answers(live);
         // One station alone is told in full.
         if let [station] = &live.stations[..] {
             for (title, fields) in [("Slave_Diag", &station.diagnosis), ("Get_Cfg", &station.identifiers)] {
