@@ -15,7 +15,7 @@ use crate::profile::{Family, Mode, Param, Registry};
 use crate::text::{Text, both};
 
 mod done;
-mod keypad;
+pub(super) mod keypad;
 mod question;
 mod report;
 mod sets;

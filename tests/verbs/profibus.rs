@@ -5,6 +5,7 @@ mod basic;
 mod described;
 mod ends;
 mod heard;
+mod keys;
 mod looked;
 mod rig;
 mod said;

@@ -8,8 +8,9 @@ use super::spoken::usage;
 use super::taking::{Whom, question, whom};
 use super::told::{Told, report};
 use crate::args::{MotionArgs, StopArg};
-use crate::command::running::unsent;
+use crate::command::running::{keypad, unsent};
 use crate::command::{Context, asking};
+use crate::drive::Panel;
 use crate::drive::profibus::{self, Bounds, Course, Exchange, Lending, Mode, Ramps, Rights, Shown, WATCHDOG, Wanted};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Motion, Permit, Question, Relief};
@@ -31,7 +32,10 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
     let whom = whom(job.slave, context)?;
     let watchdog = watchdog(job.motion)?;
     match job.action {
-        Action::Run(wanted) => demands(job.motion, wanted)?,
+        Action::Run(wanted) => {
+            demands(job.motion, wanted)?;
+            keypad::is_there(job.motion, context.interrupt.panel())?;
+        }
         Action::Stop(_) | Action::Reset => super::refuse(&[("--take-control", job.motion.take_control)])?,
     }
     whom.knows(job.choice)?;
@@ -72,10 +76,22 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
         match job.action {
             Action::Stop(_) => Ok(()),
             Action::Reset => exchange.reset(WAIT, &mut told.run).await,
-            Action::Run(wanted) => run_it(&mut exchange, job, (&whom, &family), wanted, *ask, &mut told).await,
+            Action::Run(wanted) => {
+                run_it(&mut exchange, job, (&whom, &family), wanted, (*ask, interrupt.panel()), &mut told).await
+            }
         }
     };
     let done = done.await;
+    let panel = interrupt.panel();
+    panel.rests();
+    let done = match done {
+        // A run that was held and ended by its keypad came to its normal end, unless somebody interrupted as well.
+        Err(failure) if failure.class == Class::Interrupted && told.run.held && !panel.is_interrupted() => {
+            told.by = panel.ended();
+            if told.by.is_some() { Ok(()) } else { Err(failure) }
+        }
+        done => done,
+    };
     if stop == "coast" {
         exchange.coasts();
     }
@@ -89,7 +105,7 @@ async fn run_it(
     job: &Job<'_>,
     (whom, family): (&Whom<'_>, &Rc<Family>),
     wanted: Wanted,
-    ask: &mut dyn Ask,
+    (ask, panel): (&mut dyn Ask, &Panel),
     told: &mut Told,
 ) -> Result<(), Failure> {
     let rights = exchange.rights().await?;
@@ -108,7 +124,19 @@ async fn run_it(
     });
     let _agreed: Permit<Motion> = agreed?.map_err(asking::denied)?;
     let wait = job.motion.wait.unwrap_or(WAIT);
+    if job.motion.dead_man {
+        panel.needs_holding();
+    }
     let mut shown = Shown::begin(exchange, family, job.word, (wanted, job.stop(mode)));
+    if job.motion.dead_man {
+        exchange.tell(Event::Note(keypad::hold_a_key()));
+        // The slave is kept going meanwhile, by the stop word.
+        exchange.during(panel.held()).await.map_err(|failure| match failure.class {
+            Class::Interrupted => asking::interrupted(),
+            _ => failure,
+        })?;
+    }
+    shown.starts(exchange);
     let bounds = Bounds { wait, duration: job.motion.duration, until: job.until.is_some() };
     exchange.run(wanted, (&rights, lending), bounds, (&mut told.run, &mut shown)).await
 }
@@ -124,8 +152,6 @@ fn demands(motion: &MotionArgs, wanted: Wanted) -> Result<(), Failure> {
         return Err(usage(both!("expected at most {most}", "erwartet: höchstens {most}")));
     }
     super::refuse(&[
-        ("--view", motion.view),
-        ("--dead-man", motion.dead_man),
         ("--on-exit quick-stop", motion.on_exit == StopArg::QuickStop),
         ("--on-exit keep", motion.on_exit == StopArg::Keep),
     ])?;
@@ -167,6 +193,7 @@ fn asks(
         Mode::Basic(ramps) => by_basic(ramps),
     });
     details.extend(job.until.clone());
+    details.extend(job.motion.dead_man.then(only_held));
     let stop = match job.motion.on_exit {
         _ if mode.is_basic() => both!("no run bit (0050): the ramp", "kein Startbit (0050): die Rampe"),
         StopArg::Coast => {
@@ -188,6 +215,14 @@ fn asks(
         hazards.insert(0, Hazard::Write);
     }
     Question { hazards, title, details }
+}
+
+/// What a dead man is.
+fn only_held() -> Text {
+    both!(
+        "it starts when a key is held, and is stopped as soon as that is let go (--dead-man)",
+        "er startet, wenn eine Taste gehalten wird, und wird angehalten, sobald sie losgelassen wird (--dead-man)"
+    )
 }
 
 /// What is changed for a run in ProfiDrive mode, and what is not known of it.

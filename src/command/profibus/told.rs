@@ -2,6 +2,7 @@
 
 use super::job::{Action, Job};
 use crate::command::running::kept_back;
+use crate::drive::EndedBy;
 use crate::drive::profibus::{Ending, Run, Seen, Wanted, coasting, state};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Decimal, Motion, Outcome, Setpoint, Stop};
@@ -15,6 +16,8 @@ pub(super) struct Told {
     pub(super) parting: Option<Text>,
     pub(super) from: Option<Seen>,
     pub(super) run: Run,
+    /// The keypad ended it.
+    pub(super) by: Option<EndedBy>,
 }
 
 /// The setpoint word (5.2), and the setpoint in Hz (5.3), which is what the Basic block sends.
@@ -31,6 +34,8 @@ pub(super) fn report(
     let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
     let Ending { is_dark, standing, coasted, changed, seen, notes, failure: left, .. } = ending;
     let because = match &done {
+        Ok(()) if told.by == Some(EndedBy::Key) => "key",
+        Ok(()) if told.by.is_some() => "dead-man",
         Ok(()) => "end",
         Err(failure) if failure.class == Class::Interrupted => "interrupted",
         Err(_) => "error",

@@ -12,7 +12,7 @@ use crate::outcome::Event;
 use crate::text::{Text, both};
 
 /// Refuses what needs keys where there are none, and what no key could stop; before anything is opened.
-pub(super) fn is_there(args: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
+pub(in crate::command) fn is_there(args: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
     if !args.wants_keys() {
         return Ok(());
     }
@@ -62,10 +62,7 @@ pub(super) async fn open(
     let watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone(), panel.clone());
     let (mut watched, mut before) = (Some(watched), before);
     if plan.args.dead_man {
-        session.tell(Event::Note(both!(
-            "hold Enter or an arrow: it runs only as long",
-            "Enter oder einen Pfeil halten: nur so lange läuft er"
-        )));
+        session.tell(Event::Note(hold_a_key()));
         let mut motor = Motor::new(session, target, permit, None);
         motor.watched = watched.take();
         motor.await_key(panel).await.map_err(|failure| match failure.class {
@@ -77,6 +74,11 @@ pub(super) async fn open(
     }
     watched.iter_mut().for_each(|watched| watched.starts(session));
     Ok((watched, before))
+}
+
+/// What a dead man waits for.
+pub(in crate::command) fn hold_a_key() -> Text {
+    both!("hold Enter or an arrow: it runs only as long", "Enter oder einen Pfeil halten: nur so lange läuft er")
 }
 
 /// A run that was held and ended by its keypad came to its normal end, unless somebody interrupted as well. Where it was only

@@ -11,6 +11,7 @@ use super::trouble;
 use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble};
 use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
+use crate::outcome::Event;
 use crate::protocol::dp::pkw::Pkw;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
@@ -126,6 +127,11 @@ impl<'l, 'a> Exchange<'l, 'a> {
     /// How it is led.
     pub fn mode(&self) -> Mode {
         self.mode
+    }
+
+    /// Tells whoever watches.
+    pub fn tell(&mut self, event: Event) {
+        self.line.tell(event);
     }
 
     /// What came last; `None` before the first exchange.

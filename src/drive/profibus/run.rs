@@ -87,6 +87,8 @@ pub struct Run {
     pub setpoints: u64,
     /// Whether the setpoint was reached; `None` before it was sent.
     pub reached: Option<bool>,
+    /// It was held, so that ending it by a key is its normal end.
+    pub held: bool,
     /// Frequency that was seen last before the end, of 4000h.
     pub actual: Option<i32>,
 }
@@ -346,6 +348,7 @@ impl Exchange<'_, '_> {
         shown: &mut Shown,
     ) -> Result<(), Failure> {
         let end: Option<Tick> = duration.map(|duration| self.line.now() + duration);
+        run.held = true;
         shown.comes_to(self, "held", end);
         while end.is_none_or(|end| self.line.now() < end) {
             let seen = self.obeying().await?;

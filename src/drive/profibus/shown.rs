@@ -80,7 +80,7 @@ impl Shown {
         let news = RunNews {
             t,
             address,
-            phase: "starting",
+            phase: "waiting",
             setpoint: Some(Decimal { raw, decimals: 2 }),
             unit: Some(unit.to_owned()),
             ends: None,
@@ -88,8 +88,13 @@ impl Shown {
             keys: None,
         };
         let mut shown = Shown { family: family.clone(), hiw, begun, told: None, samples: 0, news };
-        shown.comes_to(exchange, "starting", None);
+        shown.comes_to(exchange, "waiting", None);
         shown
+    }
+
+    /// From now on it is on its way to being held.
+    pub fn starts(&mut self, exchange: &mut Exchange<'_, '_>) {
+        self.comes_to(exchange, "starting", None);
     }
 
     /// The run comes to its next part, and when that ends by itself.

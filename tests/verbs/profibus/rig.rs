@@ -3,7 +3,7 @@
 
 use antrieb::args::{Globals, Settings};
 use antrieb::command::{Context, sollwert, statemachine};
-use antrieb::drive::Interrupt;
+use antrieb::drive::{Button, Interrupt};
 use antrieb::failure::Failure;
 use antrieb::gate::{Answer, Ask, Question, Reply};
 use antrieb::outcome::{Data, Event, Motion, Outcome, Stop};
@@ -40,6 +40,8 @@ pub(super) struct Hand<'h> {
     pub(super) denies: Option<usize>,
     /// So long is thought about the second.
     pub(super) thinks: Span,
+    /// Presses these buttons of the keypad behind these telegrams.
+    pub(super) buttons: &'h [(usize, Button)],
 }
 
 /// What came of it.
@@ -123,12 +125,16 @@ pub(super) fn does(line: &str, bench: &str, hand: Hand<'_>) -> Came {
     let interrupt = Interrupt::default();
     let (asked, clock) = (Rc::new(RefCell::new(Vec::new())), Rc::new(Cell::new(Tick::ZERO)));
     let mut ask = Somebody { hand, interrupt: interrupt.clone(), asked: asked.clone(), clock: clock.clone() };
+    interrupt.panel().watch(["--view", "--dead-man"].iter().any(|option| line.contains(option)));
     let (signals, mut sent) = (interrupt.clone(), Vec::new());
     let mut observe = |event: Event| {
         if let Event::Telegram { at_us, direction: '>', hex, .. } = event {
             let at = Tick::ZERO + Span::from_micros(at_us);
             clock.set(at);
             hand.presses.iter().filter(|press| **press == sent.len()).for_each(|_| signals.press());
+            let now = hand.buttons.iter().filter(|(telegram, _)| *telegram == sent.len());
+            now.for_each(|(_, button)| signals.button(*button, at));
+            signals.look(at);
             sent.push((at, hex.split(' ').map(|byte| u8::from_str_radix(byte, 16).unwrap()).collect()));
         }
     };
