@@ -8,13 +8,11 @@ pub use filter::Filter;
 
 use super::access::AccessError;
 use super::decode::Reader;
-use super::decode::dp::{self, Cyclic};
+use super::decode::dp::{self, Cyclic, EVERYBODY, NAME};
 use super::scan::Unknown;
 use super::session::Session;
 use crate::exchange::Cutter;
 use crate::outcome::{Event, Record, Sniff, SniffSummary, TelegramDoc};
-use crate::protocol::dp::{EVERYBODY, NAME};
-use crate::protocol::modbus::BROADCAST;
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use crate::transport::Wake;
@@ -137,6 +135,9 @@ fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> Sniff
         unseen: unseen(),
     }
 }
+
+/// Everybody, but on PROFIBUS; nobody answers.
+const BROADCAST: u8 = 0;
 
 /// What a census must know of the line.
 fn terms(session: &Session<'_>, is_profibus: bool) -> Terms {

@@ -123,6 +123,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::opening",
             "drive::probe",
             "drive::profibus",
+            "drive::profibus::described",
             "drive::profibus::ending",
             "drive::profibus::exchange",
             "drive::profibus::line",
