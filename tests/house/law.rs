@@ -98,6 +98,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
         "protocol",
         &[
             "drive",
+            "drive::access",
             "drive::account",
             "drive::bus_order",
             "drive::bus_watch",
