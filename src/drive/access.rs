@@ -4,7 +4,6 @@ use super::pump::PumpError;
 use super::route::No;
 use crate::exchange::ExchangeError;
 use crate::profile::Family;
-use crate::protocol::modbus::pdu::Exception;
 use crate::transport::LinkError;
 
 /// Error register: the width of the telegram is not the one of the parameter (CM-485 manual 6.6).
@@ -37,7 +36,7 @@ impl Refusal {
     pub fn is_of_width(self) -> bool {
         match (self.no, self.cause) {
             (No::Exception(_) | No::Nak, Some(WRONG_WIDTH | WRONG_TYPE)) => true,
-            (No::Exception(code), None | Some(0)) => code == Exception::IllegalDataAddress,
+            (no, None | Some(0)) => no.is_of_address(),
             _ => false,
         }
     }

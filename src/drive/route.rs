@@ -48,6 +48,11 @@ pub enum No {
 }
 
 impl No {
+    /// Whether it says that there is no such parameter, or none that is asked for so.
+    pub fn is_of_address(self) -> bool {
+        self == No::Exception(Exception::IllegalDataAddress)
+    }
+
     /// The cause, where the refusal itself tells it.
     pub(super) fn cause(self) -> Option<u16> {
         match self {
