@@ -118,6 +118,20 @@ struct Heard {
     hex: Option<String>,
 }
 
+/// Frames that are all the same, one behind the other.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    frame: Frame,
+    since: Tick,
+    last: Tick,
+    frames: u64,
+}
+
+/// Behind so many of them without a pause nobody acknowledges them (ISO 11898-1: a frame is sent until somebody does).
+const UNACKNOWLEDGED: u64 = 200;
+/// What comes again within this time is no news.
+const AGAIN: Span = Span::from_millis(100);
+
 struct Census<'w> {
     watch: &'w BusWatch<'w>,
     bit_rate: u32,
@@ -129,6 +143,7 @@ struct Census<'w> {
     emergencies: Vec<HeardEmergency>,
     /// What is to be said of PDOs that came again.
     back: Vec<Text>,
+    run: Option<Run>,
 }
 
 impl<'w> Census<'w> {
@@ -145,7 +160,22 @@ impl<'w> Census<'w> {
         };
         let heard = watch.awaited.iter().map(row).collect();
         let (frames, lost, busy) = (0, 0, Span::ZERO);
-        Census { watch, bit_rate, begun, frames, lost, busy, heard, emergencies: Vec::new(), back: Vec::new() }
+        let (emergencies, back, run) = (Vec::new(), Vec::new(), None);
+        Census { watch, bit_rate, begun, frames, lost, busy, heard, emergencies, back, run }
+    }
+
+    /// Whether the frame before was the same, a moment ago.
+    fn comes_again(&mut self, now: Tick, frame: &Frame) -> bool {
+        let Some(run) = self.run.as_mut().filter(|run| run.frame == *frame && now < run.last + AGAIN) else {
+            self.run = Some(Run { frame: *frame, since: now, last: now, frames: 1 });
+            return false;
+        };
+        (run.last, run.frames) = (now, run.frames + 1);
+        let busy = duration(self.bit_rate, frame.bytes().len() as u64).times(2 * UNACKNOWLEDGED);
+        if run.frames == UNACKNOWLEDGED && now < run.since + busy {
+            self.back.push(alone(frame));
+        }
+        true
     }
 
     /// Counts a frame; what it says, and whether that is news.
@@ -154,6 +184,7 @@ impl<'w> Census<'w> {
         doc.at_us = Some(now.as_micros());
         self.frames += 1;
         self.busy = self.busy + duration(self.bit_rate, frame.bytes().len() as u64);
+        let comes_again = self.comes_again(now, frame);
         let planned = self.heard.get(&frame.identifier).is_some_and(|heard| heard.planned_ms.is_some());
         let heard = self.heard.entry(frame.identifier).or_default();
         let is_first = heard.frames == 0;
@@ -182,11 +213,13 @@ impl<'w> Census<'w> {
             Identifier::Standard(number) => Service::of(number),
             Identifier::Extended(_) => Service::Free,
         };
-        if let Service::Emergency(node) = service {
+        if let Service::Emergency(node) = service
+            && !comes_again
+        {
             self.emergency(now, node, frame.bytes(), &doc);
         }
         let is_news = matches!(service, Service::Nmt | Service::Emergency(_) | Service::BootUp(_));
-        (doc, is_first || is_news)
+        (doc, is_first || is_news && !comes_again)
     }
 
     fn emergency(&mut self, now: Tick, node: u8, bytes: &[u8], doc: &TelegramDoc) {
@@ -300,4 +333,15 @@ fn carrying(name: &Text, places: &[HeardPlace]) -> Text {
     let places = places.iter().map(one).collect::<Vec<_>>().join(", ");
     let between = if places.is_empty() { "" } else { ": " };
     both!("{name}{between}{places}", "{name}{between}{places}", name)
+}
+
+/// That a frame is said again and again.
+fn alone(frame: &Frame) -> Text {
+    let number = frame.identifier.number();
+    both!(
+        "{number} is said again and again, because nobody acknowledges it: its sender is alone, and who only listens acknowledges nothing; a \
+         second node on the bus ends it, and so does a question, such as `antrieb scan`",
+        "{number} wird immer wieder gesagt, weil niemand bestätigt: wer da sendet, ist allein, und wer nur zuhört, bestätigt nichts; ein \
+         zweiter Knoten am Bus beendet das, und eine Frage auch, etwa `antrieb scan`"
+    )
 }

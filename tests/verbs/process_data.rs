@@ -108,7 +108,7 @@ fn follows(more: &str) -> String {
     let event = "[[drive.event]]\nat = \"30s\"\nset = { \"410\" = 15 }\n";
     format!(
         "[readings]\nrx_functions = \"0-2\"\n{}",
-        nodes(&[(0, &format!("{master}\n{event}{more}")), (1, "set = { \"412\" = 1, \"228\" = 0 }")])
+        nodes(&[(0, &format!("{master}\n{event}{more}")), (1, "set = { \"412\" = 1, \"228\" = 0 }"), (9, "")])
     )
 }
 
@@ -179,9 +179,27 @@ fn a_watch_that_hears_nothing_says_why() {
 #[test]
 fn an_acknowledged_emergency_is_cleared() {
     let event = "set = { \"412\" = 1 }\n[[drive.event]]\nat = \"2s\"\nfault = \"F0500\"\n[[drive.event]]\nat = \"18s\"\nset = { \"410\" = 128 }";
-    let run = antrieb("--protocol sdo systembus monitor --duration 20s").on(&nodes(&[(5, event)])).json().exits(0);
+    let run =
+        antrieb("--protocol sdo systembus monitor --duration 20s").on(&nodes(&[(5, event), (6, "")])).json().exits(0);
     assert_eq!(*run.data("/emergencies/0/fault"), json!(0x0500));
     assert!(run.data("/emergencies/0/cleared").as_f64().unwrap() >= 18.0);
+}
+
+/// Who only listens acknowledges nothing, so a drive that is alone says the same until somebody does: one piece of news, and why.
+#[test]
+fn what_nobody_acknowledges_is_told_once() {
+    let bench = nodes(&[(5, "[[drive.event]]\nat = \"2s\"\nfault = \"F0500\"")]);
+    let run = antrieb("--protocol sdo systembus monitor --duration 5s").on(&bench).json().exits(0);
+    assert_eq!(run.data("/emergencies").as_array().unwrap().len(), 1);
+    assert!(
+        run.data("/heard/0/frames").as_u64().unwrap() > 10_000 && run.err.matches("again and again").count() == 1,
+        "{}",
+        run.err
+    );
+    let run = antrieb("--protocol sdo --lang de systembus monitor --duration 5s").on(&bench).exits(0);
+    assert!(run.err.contains("bestätigt nichts") && run.out.lines().count() < 40, "{}", run.out);
+    // It is found, and asked, all the same.
+    antrieb("--protocol sdo -a 5 read 979 260").on(&bench).exits(0);
 }
 
 fn nmt(typed: &str, bench: &str) -> Run {

@@ -1,5 +1,6 @@
 //! An adapter between a serial port and the bus, as the manual of the Lawicel CANUSB has it, and what its imitators do otherwise.
 
+use super::confinement::Errors;
 use crate::protocol::can::Frame;
 use crate::protocol::can::slcan::{RATES, Word};
 use crate::tick::Span;
@@ -50,6 +51,8 @@ pub(crate) struct Adapter {
     pub(crate) channel: Channel,
     /// Bits per second, once it is set.
     pub(crate) rate: Option<u32>,
+    /// Of its controller.
+    pub(super) errors: Errors,
     /// Status flags.
     flags: u8,
     word: Vec<u8>,
@@ -63,7 +66,7 @@ const SERIAL: &str = "NBE7C";
 
 impl Adapter {
     pub(crate) fn new(quirks: Quirks) -> Self {
-        Adapter { quirks, channel: Channel::Closed, rate: None, flags: 0, word: Vec::new() }
+        Adapter { quirks, channel: Channel::Closed, rate: None, errors: Errors::default(), flags: 0, word: Vec::new() }
     }
 
     /// It has seen this on the bus.
@@ -120,7 +123,7 @@ impl Adapter {
     }
 
     fn turns(&mut self, channel: Channel) -> Vec<Out> {
-        (self.channel, self.flags) = (channel, 0);
+        (self.channel, self.flags, self.errors) = (channel, 0, Errors::default());
         self.says("\r")
     }
 

@@ -1,6 +1,7 @@
 //! The wire: one frame at a time, the smallest identifier first, everybody hears it (ISO 11898-1).
 
 use super::adapter::{Adapter, Channel, Out, Quirks};
+use super::confinement::Ended;
 use super::node::Node;
 use crate::protocol::can::nmt::{Command, Order};
 use crate::protocol::can::{Body, Frame, LAST_DRIVE, SdoChannel, Service, duration};
@@ -173,8 +174,7 @@ impl Can {
     fn take(&mut self, frame: Frame) {
         self.received += 1;
         self.judge(&frame);
-        let has_partner = self.nodes.iter().any(|node| node.id.is_some()) || !self.foreign.is_empty();
-        if self.adapter.rate != Some(self.rate) || !has_partner {
+        if !self.fits() || !self.is_acknowledged(Sender::Adapter) {
             return self.adapter.flags(UNACKNOWLEDGED);
         }
         self.wait_for_bus(Sender::Adapter, frame);
@@ -191,7 +191,7 @@ impl Can {
             Service::Nmt => self.judge_order(frame, has_master),
             _ => self.remark(&format!("{frame}: nothing but SDO and NMT is anybody's but the drives'")),
         }
-        if self.adapter.rate != Some(self.rate) {
+        if !self.fits() {
             self.remark("the adapter disturbs the bus: it sends at another bit rate");
         }
         if matches!(frame.body, Body::Remote(_)) {
@@ -226,10 +226,23 @@ impl Can {
         self.heard.drain(..surplus);
     }
 
+    /// Something is to go out. Of a PDO that waits still, what is newer goes out in its place.
     fn wait_for_bus(&mut self, sender: Sender, frame: Frame) {
-        if self.waiting.len() < MOST_WAITING {
+        if let Some(waiting) = self.waits(sender, &frame).and_then(|place| self.waiting.get_mut(place)) {
+            waiting.1 = frame;
+        } else if self.waiting.len() < MOST_WAITING {
             self.waiting.push((sender, frame));
         }
+    }
+
+    /// Where a PDO of the same identifier waits for the bus.
+    fn waits(&self, sender: Sender, frame: &Frame) -> Option<usize> {
+        let Sender::Node(_) = sender else { return None };
+        let identifier = u16::try_from(frame.identifier.number()).ok()?;
+        if matches!(Service::of(identifier), Service::SdoReply(..) | Service::Emergency(_)) {
+            return None;
+        }
+        self.waiting.iter().position(|row| row.0 == sender && row.1.identifier == frame.identifier)
     }
 
     /// The next moment at which something may change if the master stays silent.
@@ -240,7 +253,8 @@ impl Can {
     fn next_inside(&self) -> Option<Tick> {
         let nodes = self.nodes.iter().filter_map(Node::next);
         let foreign = self.foreign.iter().map(|foreign| foreign.at);
-        let waiting = (!self.waiting.is_empty() && self.running.is_none()).then_some(self.now);
+        let goes_out = !self.waiting.is_empty() && self.running.is_none() && !self.is_deaf();
+        let waiting = goes_out.then_some(self.now);
         nodes.chain(foreign).chain(self.running.map(|running| running.0)).chain(waiting).min()
     }
 
@@ -286,7 +300,7 @@ impl Can {
 
     /// Who has the smallest identifier gets a bus that is free.
     fn arbitrate(&mut self) {
-        if self.running.is_some() {
+        if self.running.is_some() || self.is_deaf() {
             return;
         }
         let first =
@@ -296,28 +310,91 @@ impl Can {
         self.running = Some((ends, sender, frame));
     }
 
-    /// A frame is over: everybody but who sent it has heard it.
+    /// The adapter has the bit rate of the bus.
+    fn fits(&self) -> bool {
+        self.adapter.rate == Some(self.rate)
+    }
+
+    /// Whether somebody else acknowledges what one sends. Who only listens does not.
+    fn is_acknowledged(&self, sender: Sender) -> bool {
+        let adapter = sender != Sender::Adapter && self.adapter.channel == Channel::Open && self.fits();
+        let mut nodes = (0..).zip(&self.nodes).filter(|row| sender != Sender::Node(row.0));
+        adapter || !self.foreign.is_empty() || nodes.any(|row| row.1.takes_part())
+    }
+
+    /// Whether nobody acknowledges what waits and nobody hears how it is said again and again, so that it can wait.
+    fn is_deaf(&self) -> bool {
+        let heard = |(sender, _): &(Sender, Frame)| self.is_acknowledged(*sender);
+        self.adapter.channel == Channel::Closed && !self.waiting.iter().any(heard)
+    }
+
+    /// A frame is over.
     fn deliver(&mut self, sender: Sender, frame: &Frame) {
-        let now = self.now;
-        let fits = self.adapter.rate == Some(self.rate);
-        if sender != Sender::Adapter && self.adapter.channel != Channel::Closed && !fits {
+        let disturbs = self.adapter.channel == Channel::Open && !self.fits() && !self.adapter.errors.is_passive();
+        if sender != Sender::Adapter && self.adapter.channel != Channel::Closed && !self.fits() {
             self.adapter.flags(HEARS_ERRORS);
-            if self.adapter.channel == Channel::Open {
-                // Its error frames spoil everything.
-                return self.remark("the adapter disturbs the bus: it takes part at another bit rate");
+        }
+        let ended = match sender {
+            Sender::Adapter => Ended::Well,
+            _ if disturbs => Ended::Disturbed,
+            _ if self.is_acknowledged(sender) => Ended::Well,
+            _ => Ended::Alone,
+        };
+        let now = self.now;
+        for (place, node) in (0..).zip(&mut self.nodes) {
+            node.ended(now, sender == Sender::Node(place), ended);
+        }
+        match ended {
+            Ended::Well => self.everybody_hears(sender, frame),
+            Ended::Alone => self.said_in_vain(sender, *frame),
+            Ended::Disturbed => {
+                self.adapter.errors.heard(ended);
+                self.remark("the adapter disturbs the bus: it takes part at another bit rate");
+                self.says_again(sender, *frame);
             }
-        } else if sender != Sender::Adapter
+        }
+    }
+
+    /// Nobody has acknowledged it. Who listens hears it all the same, but for the error flags of one who still gives some.
+    fn said_in_vain(&mut self, sender: Sender, frame: Frame) {
+        let is_passive = |place: usize| self.nodes.get(place).is_some_and(Node::is_passive);
+        match sender {
+            Sender::Node(place) if is_passive(place) => self.adapter_hears(&frame),
+            _ if self.adapter.channel != Channel::Closed => self.adapter.flags(HEARS_ERRORS),
+            _ => {}
+        }
+        self.says_again(sender, frame);
+    }
+
+    /// A controller says a frame until it has gone out, but not a drive that is off the bus.
+    fn says_again(&mut self, sender: Sender, frame: Frame) {
+        match sender {
+            Sender::Node(place) if !self.nodes.get(place).is_some_and(Node::takes_part) => {
+                self.waiting.retain(|row| row.0 != sender);
+            }
+            Sender::Node(_) if self.waits(sender, &frame).is_none() => self.waiting.insert(0, (sender, frame)),
+            _ => {}
+        }
+    }
+
+    fn adapter_hears(&mut self, frame: &Frame) {
+        if self.fits()
             && !self.chance()
             && let Some(text) = self.adapter.hears(frame)
         {
             self.say(&text, Span::ZERO);
         }
-        if sender == Sender::Adapter && self.chance() {
+    }
+
+    fn everybody_hears(&mut self, sender: Sender, frame: &Frame) {
+        if sender != Sender::Adapter {
+            self.adapter_hears(frame);
+        } else if self.chance() {
             return;
         }
         for (place, node) in self.nodes.iter_mut().enumerate() {
             if sender != Sender::Node(place) {
-                self.answered += u64::from(node.hear(now, frame));
+                self.answered += u64::from(node.hear(self.now, frame));
             }
         }
     }

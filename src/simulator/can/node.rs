@@ -1,24 +1,26 @@
 //! A drive on the bus: its place, its state, what it answers and what it says by itself (EM-RES-03 manual 5.8 to 5.10).
 //!
-//! Its PDOs are in `process`, what a master makes of its slaves in `slaves`.
+//! Its PDOs are in `process`, its parameters as objects in `server`, what a master makes of its slaves in `slaves`.
 //!
 //! Choices where the manual is silent:
 //! - it is there as soon as the bench begins, Pre-Operational, and has said its boot-up before;
 //! - after Reset Node and Reset Communication it says its boot-up 100 ms later, behind a software reset when that is over;
 //! - a question of less than eight bytes is none;
-//! - a SYNC of a master drive acts on its own PDOs as it is sent; P.979 never warns by itself, and only the script makes a bus off;
+//! - a SYNC of a master drive acts on its own PDOs as it is sent;
+//! - behind a BUS-OFF of its own its controller begins anew 100 ms later;
 //! - a cable that is off (`silent`) stops nothing in the drive, whose time-outs go on.
 
+use super::confinement::{Ended, Errors};
 use super::process::Process;
 use super::readings::{Reading, Readings};
-use super::settings::{self, Settings};
+use super::server;
+use super::settings::Settings;
 use super::slaves::Slaves;
-use crate::profile::Type;
 use crate::protocol::can::emergency::Emergency;
 use crate::protocol::can::nmt::{Command, Life, Order};
 use crate::protocol::can::sdo::{AbortCode, Initiate, Multiplexer, Reply, Request};
 use crate::protocol::can::{Body, Frame, Identifier, SdoChannel, Service};
-use crate::simulator::device::contract::{Action, Device, Effect, Fault, Object, RESTART};
+use crate::simulator::device::contract::{Action, Device, Effect, Fault, RESTART};
 use crate::simulator::station::script::Script;
 use crate::tick::{Span, Tick};
 
@@ -53,6 +55,7 @@ pub(crate) struct Node {
     slaves: Slaves,
     /// Off the bus until then, and whether it begins anew.
     away: Option<(Tick, bool)>,
+    errors: Errors,
 }
 
 /// Parameters of the system bus (manual 7.2), and the fault key of the basic manual.
@@ -63,24 +66,16 @@ const SDO1: [u32; 2] = [921, 922];
 const SDO2_ACTIVE: u32 = 923;
 const NODE_STATE: u32 = 978;
 const CAN_STATE: u32 = 979;
-const OWN: std::ops::RangeInclusive<u16> = 900..=989;
 const FAULT: u32 = 260;
 /// The controller of its bus has given up (manual 5.12), and what P.979 shows then and else.
 const BUS_OFF: u16 = 0x2210;
 const OFF: i64 = 3;
+const WARNING: i64 = 2;
 const OKAY: i64 = 1;
 /// How long a node needs for a new beginning of its communication.
 const ANEW: Span = Span::from_millis(100);
 /// How long behind its boot-up a node tells of the fault, where that comes second; longer than the boot-up on the slowest bus.
 const BEHIND: Span = Span::from_millis(3);
-/// Largest data set that is one, and the first of the RAM (CM-485 manual 7).
-const FIRST_RAM: u8 = 5;
-/// Codes of an abort (manual 5.10.1).
-const VALUE: u8 = 1;
-const SET: u8 = 2;
-const TYPE: u8 = 10;
-const UNKNOWN: u8 = 11;
-const OTHER: u8 = 15;
 
 impl Node {
     pub(crate) fn new(device: Box<dyn Device>, script: Script, readings: Readings, reply_delay: Span) -> Self {
@@ -99,6 +94,7 @@ impl Node {
             process: Process::new(readings),
             slaves: Slaves::default(),
             away: None,
+            errors: Errors::default(),
         };
         node.take_place(Tick::ZERO);
         node.fault = node.fault_key();
@@ -214,15 +210,53 @@ impl Node {
         match action {
             Action::PowerCycle => self.restart(now, RESTART),
             Action::Silent(span) => self.away = Some((now + span, false)),
-            Action::BusOff(span) => {
-                self.away = Some((now + span, true));
-                self.turn(now, State::PreOperational);
-                self.device.act(now, Action::Set(CAN_STATE, 0, OFF));
-                self.device.act(now, Action::Fault(Fault { number: BUS_OFF, ..Fault::default() }));
-            }
+            Action::BusOff(span) => self.gives_up(now, span),
             Action::Set(..) => self.settle_at_once(now),
             _ => {}
         }
+    }
+
+    /// Its controller is off the bus (manual 5.12).
+    fn gives_up(&mut self, now: Tick, span: Span) {
+        self.away = Some((now + span, true));
+        self.errors = Errors::default();
+        self.turn(now, State::PreOperational);
+        self.device.act(now, Action::Set(CAN_STATE, 0, OFF));
+        self.device.act(now, Action::Fault(Fault { number: BUS_OFF, ..Fault::default() }));
+    }
+
+    /// Whether its controller acknowledges what others send.
+    pub(super) fn takes_part(&self) -> bool {
+        self.id.is_some() && self.booting.is_none() && self.away.is_none()
+    }
+
+    /// Whether it has failed so often that it disturbs nobody any more.
+    pub(super) fn is_passive(&self) -> bool {
+        self.errors.is_passive()
+    }
+
+    /// So a frame ended, its own or one of somebody else.
+    pub(super) fn ended(&mut self, now: Tick, own: bool, ended: Ended) {
+        if !self.takes_part() {
+            return;
+        }
+        let before = self.can_state();
+        if own {
+            self.errors.sent(ended)
+        } else {
+            self.errors.heard(ended)
+        }
+        if self.errors.is_off() {
+            self.gives_up(now, ANEW);
+        } else if self.can_state() != before {
+            self.device.act(now, Action::Set(CAN_STATE, 0, self.can_state()));
+        }
+    }
+
+    /// P.979 of a controller that is on the bus.
+    fn can_state(&self) -> i64 {
+        let count = if self.readings.has(Reading::WarnsLate) { 128 } else { 96 };
+        if self.errors.reaches(count) { WARNING } else { OKAY }
     }
 
     /// It is on the bus again; whether it begins anew there, as behind BUS-OFF (manual 5.12).
@@ -255,7 +289,7 @@ impl Node {
             return;
         }
         if fault == 0 {
-            self.device.act(now, Action::Set(CAN_STATE, 0, OKAY));
+            self.device.act(now, Action::Set(CAN_STATE, 0, self.can_state()));
         }
         if self.state == State::Stopped && self.readings.has(Reading::StoppedIsMute) {
             return;
@@ -360,11 +394,14 @@ impl Node {
 
     fn serve(&mut self, now: Tick, request: Request) -> Option<Reply> {
         let silent = self.readings.has(Reading::SegmentsAreSilent);
-        let code = if self.readings.has(Reading::SegmentsAreWrongType) { TYPE } else { OTHER };
+        let code = if self.readings.has(Reading::SegmentsAreWrongType) { server::TYPE } else { server::OTHER };
         let refused = |of, code: u8| Reply::Abort(of, AbortCode(code.into()));
         let nobody = Multiplexer { index: 0, sub: 0 };
         match request {
-            Request::Upload(of) => Some(self.upload(now, of).unwrap_or_else(|code| refused(of, code))),
+            Request::Upload(of) => {
+                let told = server::upload(&mut *self.device, self.readings, now, of);
+                Some(told.unwrap_or_else(|code| refused(of, code)))
+            }
             Request::Download(of, Initiate::Expedited { bytes, .. }) => {
                 let done = self.download(now, of, u32::from_le_bytes(bytes));
                 Some(done.map_or_else(|code| refused(of, code), |()| Reply::Downloaded(of)))
@@ -378,49 +415,8 @@ impl Node {
         }
     }
 
-    fn object(&self, of: Multiplexer) -> Result<Object, u8> {
-        if self.readings.has(Reading::OwnParametersUnknown) && OWN.contains(&of.index) {
-            return Err(UNKNOWN);
-        }
-        if of.sub >= FIRST_RAM && self.readings.has(Reading::NoRam) {
-            return Err(SET);
-        }
-        Ok(Object { number: of.index, set: of.sub })
-    }
-
-    fn upload(&mut self, now: Tick, of: Multiplexer) -> Result<Reply, u8> {
-        let object = self.object(of)?;
-        let taken = self.readings.has(Reading::SetsAreTaken);
-        let sdo = self.device.sdo().ok_or(OTHER)?;
-        let (bits, kind) = match sdo.upload(now, object) {
-            Err(SET) if taken => sdo.upload(now, Object { set: 0, ..object })?,
-            told => told?,
-        };
-        let word = bits as u16;
-        let extended = kind == Type::Int && word & 0x8000 != 0 && self.readings.has(Reading::SignIsExtended);
-        let bits = match kind {
-            Type::Long => bits,
-            _ if extended => 0xFFFF_0000 | u32::from(word),
-            _ => u32::from(word),
-        };
-        Ok(Reply::Upload(of, Initiate::untold(bits)))
-    }
-
     fn download(&mut self, now: Tick, of: Multiplexer, bits: u32) -> Result<(), u8> {
-        let object = self.object(of)?;
-        let (taken, strict) = (self.readings.has(Reading::SetsAreTaken), self.readings.has(Reading::TailIsRefused));
-        if settings::refuses(&*self.device, self.readings, of.index.into(), bits & 0xFFFF) {
-            return Err(VALUE);
-        }
-        let sdo = self.device.sdo().ok_or(OTHER)?;
-        if strict && bits > u32::from(u16::MAX) && sdo.upload(now, object).is_ok_and(|(_, kind)| kind != Type::Long) {
-            return Err(VALUE);
-        }
-        let effect = match sdo.download(now, object, bits) {
-            Err(SET) if taken => sdo.download(now, Object { set: 0, ..object }, bits)?,
-            told => told?,
-        };
-        match effect {
+        match server::download(&mut *self.device, self.readings, now, of, bits)? {
             Effect::Reset => self.restart(now, RESTART),
             Effect::None if of.index == NODE_ID as u16 && self.readings.has(Reading::PlaceHoldsAtOnce) => {
                 // The answer still goes out at the old place.

@@ -47,6 +47,7 @@ pub(crate) enum Reading {
     OffStaysShown,
     EmergencyComesFirst,
     MasterWaitsAgain,
+    WarnsLate,
 }
 
 /// The readings of a bus.
@@ -117,6 +118,7 @@ impl readings::Reading for Reading {
         // 5.12
         row("after_bus_off", &[("okay", None), ("bus-off", Some(R::OffStaysShown))]),
         row("back_from_bus_off", &[("boot-up-first", None), ("emergency-first", Some(R::EmergencyComesFirst))]),
+        row("can_warns", &[("96", None), ("128", Some(R::WarnsLate))]),
         row("master_bus_off", &[("goes-on", None), ("waits-again", Some(R::MasterWaitsAgain))]),
     ];
 

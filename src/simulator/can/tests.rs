@@ -99,6 +99,51 @@ fn another_bit_rate_is_heard_as_errors_and_disturbs_who_takes_part() {
     assert!(!can.remarks().is_empty());
 }
 
+/// A drive alone on the bus with an adapter that only listens: nobody acknowledges, so it says the same again until somebody does.
+#[test]
+fn what_nobody_acknowledges_is_said_again() {
+    let mut can = bus(&(drive("") + "[[drive.event]]\nat = \"1s\"\nfault = \"F0500\"\n"));
+    told(&mut can, 0, "S6 L ", 10);
+    let heard = told(&mut can, 900, "", 1_100);
+    assert!(heard.matches("t0858001080000000").count() > 200 && can.ram(5, 979, 0) == Some(2), "{heard}");
+    assert_eq!(told(&mut can, 1_100, "F ", 1_101).matches("F84").count(), 1, "its first sixteen had error flags");
+    // Somebody who takes part ends it.
+    let heard = told(&mut can, 1_110, "C O ", 1_200);
+    assert!(heard.matches("t085").count() < 10, "{heard}");
+    assert_eq!(told(&mut can, 1_200, "", 1_300), "");
+    // One answer more counts one error less; 128 is no warning where 128 is the mark.
+    (0..40).for_each(|nth| drop(told(&mut can, 1_300 + nth * 5, "t6458409B010000000000 ", 1_304 + nth * 5)));
+    assert_eq!(can.ram(5, 979, 0), Some(1));
+    // Another node acknowledges as well, and with nobody to hear it nothing is repeated for nothing.
+    let two = drive("") + "[[drive.event]]\nat = \"1s\"\nfault = \"F0500\"\n[[drive]]\nmodel = \"acu\"\naddress = 6\n";
+    let mut can = bus(&two);
+    told(&mut can, 0, "S6 L ", 10);
+    assert_eq!(told(&mut can, 900, "", 1_100).matches("t085").count(), 1);
+    assert_eq!(can.ram(5, 979, 0), Some(1));
+}
+
+/// Its error flags make the sender go off the bus: F2210 (5.12). Who sends nothing is not hurt.
+#[test]
+fn an_adapter_at_another_bit_rate_takes_who_sends_off_the_bus() {
+    let mut can = bus(&(drive("") + "[[drive]]\nmodel = \"acu\"\naddress = 0\n"));
+    told(&mut can, 0, "S5 O ", 10);
+    // The first Start of the master.
+    can.advance(at(3_520));
+    assert_eq!([260, 979].map(|param| can.ram(0, param, 0)), [Some(0x2210), Some(3)]);
+    assert_eq!([260, 979].map(|param| can.ram(5, param, 0)), [Some(0), Some(1)]);
+    assert_eq!(can.remarks().len(), 32);
+}
+
+#[test]
+fn of_a_pdo_that_waits_the_newest_goes_out() {
+    let mut can = bus("[[drive]]\nmodel = \"acu\"\nset = { \"930\" = 1, \"931\" = 10, \"950\" = 740 }\n\
+         [[drive.event]]\nat = \"1s\"\nset = { \"410\" = 6 }\n");
+    told(&mut can, 0, "S6 O t00020100 ", 5);
+    told(&mut can, 5, "C ", 1_000);
+    assert!(told(&mut can, 1_500, "O ", 1_505).matches("t1818").count() <= 2, "the one that waits, and the next");
+    assert!(told(&mut can, 1_505, "", 1_520).contains("t18180600"));
+}
+
 /// A drive that sends at its node, and one that takes it; both are started by hand.
 fn pair(sends: &str, takes: &str, more: &str) -> Can {
     let row = |address: u8, set: &str| {
