@@ -6,6 +6,7 @@ use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, is_several, read_con
 use super::takes::Takes;
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
+use crate::protocol::can::MASTER_STATION;
 use crate::text::{Text, Wrong, both};
 use crate::transport::Port;
 use std::collections::{BTreeMap, BTreeSet};
@@ -133,11 +134,19 @@ impl<'a> Low<'a> {
         if let Some(list) = self.call_several(&text)? {
             return Ok((Addresses::Named(list), 0));
         }
+        if is_master(&text) {
+            return Ok((Addresses::Named(vec![MASTER_STATION]), 0));
+        }
         let (drive, node) = match text.split_once('.') {
             Some((drive, node)) => (drive, parse_node(drive, node)?),
             None => (text.as_str(), 0),
         };
         parse_addresses(drive, &self.names()).map(|list| (Addresses::Named(list), node))
+    }
+
+    /// Whether the drive with node 0 was typed, and no drive that has this name.
+    pub(super) fn means_master(&self) -> bool {
+        self.flags.address.as_deref().is_some_and(|text| is_master(text) && self.drive(text).is_none())
     }
 
     /// The names of all drives that the files know.
@@ -414,4 +423,9 @@ fn none_there(text: &str, ports: &[Port], has_drives: bool) -> Failure {
     );
     bad_setting("address", message)
         .hint(both!("-p without a drive of that port leaves nobody", "mit diesem -p bleibt kein Antrieb übrig"))
+}
+
+/// The word for the drive that is the master of a CAN bus.
+fn is_master(text: &str) -> bool {
+    text.trim().eq_ignore_ascii_case("master")
 }

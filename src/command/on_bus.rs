@@ -7,8 +7,8 @@ use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::text::{Text, both};
 
-/// Largest node of a drive (manual 5.5).
-pub(super) const LAST_NODE: u8 = 63;
+/// Stations on a bus: nodes 1 to 63 (manual 5.5), and the drive that is the master.
+pub(super) const LAST_STATION: u8 = 64;
 /// What a question ends with that nobody answers.
 const SILENT: &str = "silence.no_reply";
 
@@ -19,8 +19,8 @@ pub(super) fn no_node() -> Failure {
         "erwartet: der Knoten eines Umrichters; es ist keiner angegeben"
     );
     Failure::new(Class::Usage, "usage.address", message).hint(both!(
-        "name it with -a, from 1 to 63: it is P.900, and -1 from the factory",
-        "mit -a angeben, 1 bis 63: er steht in P.900, ab Werk -1"
+        "name it with -a, from 1 to 63, or master: it is P.900, and -1 from the factory",
+        "mit -a angeben, 1 bis 63 oder master: er steht in P.900, ab Werk -1"
     ))
 }
 

@@ -40,7 +40,7 @@ use std::path::PathBuf;
 /// is heard between our questions alone: at another setting than his it can take some seconds until he is known as one. --force
 /// searches beside him: what both send at once is lost for both.
 ///
-/// On a CAN bus (`--protocol sdo`) nodes 1 to 63 are asked. Where a master is heard on it nobody is asked: it is listened to for
+/// On a CAN bus (`--protocol sdo`) nodes 1 to 63 are asked, and node 0 as 64. Where a master is heard on it nobody is asked: it is listened to for
 /// 5 s, or as long as --within says, and what shows itself is told with how sure that is; --force asks.
 ///
 /// Ctrl-C ends the search, as --within does, and shows what was found so far and what was left open; `--resume` goes on from a
@@ -134,7 +134,7 @@ fn addresses(settings: &Settings) -> Result<Vec<u8>, Failure> {
             Err(Failure::new(Class::Usage, "usage.broadcast_read", message))
         }
         Addresses::Named(list) => Ok(list.clone()),
-        Addresses::Unnamed if settings.is_can() => Ok((1..=super::on_bus::LAST_NODE).collect()),
+        Addresses::Unnamed if settings.is_can() => Ok((1..=super::on_bus::LAST_STATION).collect()),
         Addresses::Unnamed => Ok((1..=crate::drive::LAST_STATION).collect()),
     }
 }

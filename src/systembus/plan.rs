@@ -1,8 +1,8 @@
 //! A plan: drives, and what each of them sends and receives.
 
 use super::load::{Budget, Rate};
-use crate::protocol::can::PdoNumber;
 use crate::protocol::can::pdo::Place;
+use crate::protocol::can::{PdoNumber, station};
 
 /// The whole bus.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -150,6 +150,11 @@ impl Plan {
 }
 
 impl Drive {
+    /// The station under which it is reached on the bus itself.
+    pub fn station(&self) -> u8 {
+        station(self.node)
+    }
+
     /// Whether any of its PDOs waits for SYNC.
     pub fn uses_sync(&self) -> bool {
         self.tx.iter().any(|tx| tx.trigger == Trigger::Sync) || self.rx.iter().any(|rx| rx.on_sync)

@@ -168,7 +168,7 @@ fn what_cannot_be_meant_is_refused_before_the_adapter_is_opened() {
     for (typed, exit) in [
         ("--protocol sdo read 411", 2),
         ("--protocol sdo -a 0 read 411", 2),
-        ("--protocol sdo -a 64 read 411", 2),
+        ("--protocol sdo -a 65 read 411", 2),
         ("--protocol sdo -a 5 --parity even read 411", 2),
         ("--protocol sdo -b auto scan", 2),
         ("--protocol sdo -a 5 --yes dataset copy 1 2 480", 2),

@@ -152,6 +152,33 @@ fn a_node_behind_a_drive_shows_itself() {
     assert_eq!(*of("3.17").data("/drives/0/sent/0/places/0/source"), json!(740));
 }
 
+/// The master has a station of its own, which is not everybody: read, written, and set by a plan with the others.
+#[test]
+fn the_master_drive_is_reached_over_the_bus() {
+    let bench = on_bus(&[(0, "\"480\" = 7"), (1, "")]);
+    let run = antrieb("--protocol sdo -a master read 900 480").on(&bench).json().exits(0);
+    let raw = |nth: usize| {
+        run.data("/values").as_array().unwrap().get(nth).map(|row| (row["raw"].clone(), row["address"].clone()))
+    };
+    assert_eq!([raw(0), raw(1)], [Some((json!(0), json!(64))), Some((json!(700), json!(64)))], "{:#}", run.value);
+    antrieb("--protocol sdo -a 64 --yes write 480@1=8Hz").on(&bench).exits(0);
+    let bus = witness::left_can().unwrap();
+    assert_eq!([bus.eeprom(0, 480, 1), bus.eeprom(1, 480, 1)], [Some(800), Some(500)]);
+    assert!(bus.remarks().is_empty() && bus.orders().is_empty(), "{:?}", bus.remarks());
+    let run = antrieb("--protocol sdo --yes systembus apply {dir}/bus.toml").on(&bench).file("bus.toml", PLAN);
+    run.exits(0);
+    let bus = witness::left_can().unwrap();
+    assert_eq!([925, 931, 950, 955].map(|param| bus.eeprom(0, param, 0)), [385, 8, 740, 62].map(Some));
+    assert_eq!([924, 941, 99].map(|param| bus.eeprom(1, param, 0)), [385, 40, 704].map(Some));
+    // It is found where it is silent, and beside itself nobody else is asked.
+    let run = antrieb("--protocol sdo scan").on(&bench).json().exits(0);
+    let found = run.data("/drives").as_array().unwrap();
+    assert_eq!(found.iter().map(|row| row["address"].clone()).collect::<Vec<_>>(), [json!(1), json!(64)]);
+    for line in ["-a master read 411", "--protocol sdo -a 0 read 411", "--protocol sdo -a 65 read 411"] {
+        assert_eq!(antrieb(line).on(&drives(&[(1, "")])).json().exits(2).error()["code"], "usage.address", "{line}");
+    }
+}
+
 #[test]
 fn a_line_is_opened_once() {
     for (verb, code) in [("check", 1), ("apply", 0)] {
@@ -232,7 +259,6 @@ fn a_plan_that_does_not_do_opens_nothing() {
         ("systembus check {dir}/bus.toml drive-1=0", PLAN, 2, "usage.address"),
         ("systembus check {dir}/bus.toml drive-1=1 drive-1=2", PLAN, 2, "usage.address"),
         ("-a 1 systembus check {dir}/bus.toml", PLAN, 2, "usage.address"),
-        ("--protocol sdo systembus check {dir}/bus.toml", PLAN, 2, "usage.address"),
         ("systembus plan {dir}/bus.toml --trace {dir}/x", PLAN, 2, "usage.no_use"),
         ("--trace {dir}/x systembus load", PLAN, 2, "usage.no_use"),
     ] {

@@ -60,7 +60,7 @@ impl Options {
                 None if !settings.is_can() => Some(place(settings, &drive.name)?.ok_or_else(|| nowhere(drive))?),
                 _ => None,
             };
-            let on_bus = if settings.is_can() { Some(node(drive)?) } else { None };
+            let on_bus = settings.is_can().then(|| drive.station());
             let mut found = found.unwrap_or_else(|| Place {
                 name: drive.name.clone(),
                 address: address.or(on_bus).unwrap_or_default(),
@@ -270,21 +270,6 @@ fn nowhere(drive: &Drive) -> Failure {
         "name its address behind the plan, such as {name}=1, or say it in antrieb.toml: [drives.{name}]",
         "seine Adresse hinter dem Plan nennen, etwa {name}=1, oder sie in antrieb.toml sagen: [drives.{name}]"
     ))
-}
-
-fn node(drive: &Drive) -> Result<u8, Failure> {
-    if drive.node > 0 {
-        return Ok(drive.node);
-    }
-    let name = &drive.name;
-    let message = both!(
-        "{name} is the master (node 0), which is not reached over SDO",
-        "{name} ist der Master (Knoten 0) und über SDO nicht erreichbar"
-    );
-    Err(Failure::new(Class::Usage, "usage.address", message).hint(both!(
-        "name the others behind the plan; {name} is reached over its serial plug",
-        "die anderen hinter dem Plan nennen; {name} ist über seinen seriellen Anschluss erreichbar"
-    )))
 }
 
 fn stranger(name: &str, plan: &Plan) -> Failure {

@@ -1,6 +1,6 @@
 //! What is heard on a bus: who asks there, whether there is a master, and which nodes show themselves.
 
-use crate::protocol::can::{Frame, Identifier, SdoChannel, Service};
+use crate::protocol::can::{Frame, Identifier, SdoChannel, Service, station};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What was heard. That nobody was proves nothing: a drive that is the master may be silent for 50 s (EM-RES-03 manual 5.8.1).
@@ -10,7 +10,7 @@ pub struct Traffic {
     pub frames: u64,
     /// Somebody commands the network, or beats its time.
     pub has_master: bool,
-    /// Nodes, and what of them was heard.
+    /// Stations of nodes, and what of them was heard.
     pub nodes: BTreeMap<u8, BTreeSet<Sign>>,
     asks: [bool; 2],
 }
@@ -46,7 +46,7 @@ impl Traffic {
     }
 
     fn shows(&mut self, node: u8, sign: Sign) {
-        self.nodes.entry(node).or_default().insert(sign);
+        self.nodes.entry(station(node)).or_default().insert(sign);
     }
 
     /// Whether somebody asks nodes for parameters over a channel.

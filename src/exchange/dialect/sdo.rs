@@ -4,7 +4,7 @@
 use super::{Asks, Cut, Found, Question, STRAGGLE, Said, Says, Speech};
 use crate::protocol::Protocol;
 use crate::protocol::can::sdo::{Multiplexer, Reply, Request};
-use crate::protocol::can::{SdoChannel, Service, Telegram, duration};
+use crate::protocol::can::{SdoChannel, Service, Telegram, duration, station};
 use crate::protocol::line::LineSetting;
 use crate::tick::Span;
 
@@ -65,11 +65,13 @@ impl Says for Reply {
 }
 
 impl Sdo {
-    /// The node that a frame of this channel comes from, and what it says.
+    /// The station that a frame of this channel comes from, and what it says.
     fn reply(self, bytes: &[u8]) -> Option<(u8, Reply)> {
         let telegram = Telegram::decode(bytes)?;
         match telegram.service() {
-            Service::SdoReply(channel, node) if channel == self.0 => Some((node, Reply::decode(telegram.data))),
+            Service::SdoReply(channel, node) if channel == self.0 => {
+                Some((station(node), Reply::decode(telegram.data)))
+            }
             _ => None,
         }
     }
@@ -86,14 +88,14 @@ impl Speech for Sdo {
         telegram.map(|telegram| telegram.encode().to_vec()).unwrap_or_default()
     }
 
-    fn find(&self, came: &[u8], station: u8, question: &Question) -> Option<Found> {
+    fn find(&self, came: &[u8], asked: u8, question: &Question) -> Option<Found> {
         let Question::Sdo(request) = question else { return None };
         let (frames, _) = came.as_chunks::<{ Telegram::LEN }>();
         (0..).zip(frames).find_map(|(place, frame)| {
-            let (node, reply) = self.reply(frame)?;
+            let (station, reply) = self.reply(frame)?;
             let said = Said::Sdo(reply);
             let start = place * Telegram::LEN;
-            let fits = node == station && Asks::is_answered_by(request, &said);
+            let fits = station == asked && Asks::is_answered_by(request, &said);
             fits.then_some(Found { start, end: start + Telegram::LEN, said })
         })
     }
@@ -101,8 +103,8 @@ impl Speech for Sdo {
     fn sender(&self, bytes: &[u8]) -> Option<(u8, Option<Said>)> {
         let telegram = Telegram::decode(bytes)?;
         match telegram.service() {
-            Service::SdoReply(_, node) => Some((node, Some(Said::Sdo(Reply::decode(telegram.data))))),
-            Service::SdoRequest(_, node) => Some((node, None)),
+            Service::SdoReply(_, node) => Some((station(node), Some(Said::Sdo(Reply::decode(telegram.data))))),
+            Service::SdoRequest(_, node) => Some((station(node), None)),
             _ => None,
         }
     }
@@ -111,7 +113,7 @@ impl Speech for Sdo {
         let telegram = Telegram::decode(bytes)?;
         match telegram.service() {
             Service::SdoRequest(channel, node) if channel == self.0 => {
-                Some((node, Question::Sdo(Request::decode(telegram.data))))
+                Some((station(node), Question::Sdo(Request::decode(telegram.data))))
             }
             _ => None,
         }

@@ -18,7 +18,7 @@ mod telegram;
 
 pub use frame::{Body, Frame, FrameError, Identifier, Payload};
 pub use identifier::{EMERGENCIES, FOR_PDOS, LAST_DRIVE, LAST_NODE, PdoNumber, SdoChannel, Service};
-pub use telegram::{Telegram, duration, telegram_frame};
+pub use telegram::{MASTER_STATION, Telegram, duration, station, telegram_frame};
 
 #[cfg(test)]
 mod tests;

@@ -17,9 +17,13 @@ impl Telegram {
     /// Bytes of it: two of the identifier, most significant first, and the data.
     pub const LEN: usize = 10;
 
-    /// A question to a node over a channel; `None` for a node that no drive has.
-    pub fn request(channel: SdoChannel, node: u8, data: [u8; Payload::MOST]) -> Option<Self> {
-        let node = (node <= LAST_DRIVE).then_some(node)?;
+    /// A question to a station over a channel; `None` for one that no drive has.
+    pub fn request(channel: SdoChannel, station: u8, data: [u8; Payload::MOST]) -> Option<Self> {
+        let node = match station {
+            MASTER_STATION => 0,
+            1..=LAST_DRIVE => station,
+            _ => return None,
+        };
         Some(Telegram { identifier: Service::SdoRequest(channel, node).identifier()?, data })
     }
 
@@ -57,6 +61,14 @@ impl Telegram {
     pub fn service(&self) -> Service {
         Service::of(self.identifier)
     }
+}
+
+/// The station that a drive with node 0 has in a conversation, where 0 is everybody: no drive has this node (EM-RES-03 manual 5.5).
+pub const MASTER_STATION: u8 = LAST_DRIVE + 1;
+
+/// The station of a drive with this node.
+pub fn station(node: u8) -> u8 {
+    if node == 0 { MASTER_STATION } else { node }
 }
 
 /// The frame that bytes stand for: two of the identifier, most significant first, and up to eight of data.
