@@ -6,7 +6,7 @@ use super::low::Low;
 use super::wrong::bad_setting;
 use crate::failure::Failure;
 use crate::protocol::Protocol;
-use crate::protocol::can::{LAST_DRIVE, SdoChannel};
+use crate::protocol::can::{LAST_DRIVE, MASTER_STATION, SdoChannel};
 use crate::text::both;
 use crate::transport::Port;
 
@@ -25,19 +25,21 @@ pub(super) fn check_node(node: u8, protocol: Protocol) -> Result<(), Failure> {
     )))
 }
 
-/// A CAN bus has nodes from 1 to 63 for its drives (EM-RES-03 manual 5.5), and no characters.
+/// A CAN bus has nodes from 1 to 63 for its drives (EM-RES-03 manual 5.5), a station for the one that is the master, and no characters.
 pub(super) fn check_bus(low: &Low<'_>, addresses: &Addresses, protocol: Protocol) -> Result<(), Failure> {
-    let Protocol::Sdo(_) = protocol else { return Ok(()) };
+    let Protocol::Sdo(_) = protocol else {
+        return if low.means_master() { Err(no_master()) } else { Ok(()) };
+    };
     if let Addresses::Named(nodes) = addresses
-        && let Some(node) = nodes.iter().find(|node| !(1..=LAST_DRIVE).contains(*node))
+        && let Some(node) = nodes.iter().find(|node| !(1..=MASTER_STATION).contains(*node))
     {
         let why = both!(
             "expected nodes from 1 to {LAST_DRIVE}, got {node}",
             "erwartet: Knoten von 1 bis {LAST_DRIVE}; angegeben: {node}"
         );
         let zero = both!(
-            "node 0 is a drive that is the master: it is reached over its serial plug",
-            "Knoten 0 ist ein Umrichter, der Master ist: er ist über seinen seriellen Anschluss erreichbar"
+            "the drive that is the master (node 0) is reached as -a master; 0 would be everybody",
+            "der Umrichter, der Master ist (Knoten 0), ist als -a master erreichbar; 0 wären alle"
         );
         let failure = bad_setting("address", why);
         return Err(if *node == 0 { failure.hint(zero) } else { failure });
@@ -60,6 +62,14 @@ pub(super) fn check_bus(low: &Low<'_>, addresses: &Addresses, protocol: Protocol
     Ok(())
 }
 
+fn no_master() -> Failure {
+    let why = both!("only a CAN bus has a master as an address", "nur ein CAN-Bus hat einen Master als Adresse");
+    bad_setting("address", why).hint(both!(
+        "on a serial line the drive that is the master has an address like any other",
+        "an einer seriellen Leitung hat der Umrichter, der Master ist, eine Adresse wie jeder andere"
+    ))
+}
+
 /// Bits per second of a CAN bus. The factory setting of P.903 is in no source, so nobody but the bench has a usual one.
 pub(super) fn bit_rate(named: Option<u32>, ports: &[Port]) -> Result<u32, Failure> {
     let is_bench = ports.iter().all(|port| matches!(port, Port::Sim(_)));
@@ -77,7 +87,7 @@ const BENCH_RATE: u32 = 500_000;
 
 /// An adapter of a CAN bus carries SDO and nothing else; nobody speaks it elsewhere.
 pub(super) fn on_bus(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Option<Protocol>, Failure> {
-    let is_adapter = |port: &Port| matches!(port, Port::Slcan(_));
+    let is_adapter = |port: &Port| matches!(port, Port::Slcan(_) | Port::Can(_));
     let is_either = |port: &Port| is_adapter(port) || matches!(port, Port::Sim(_) | Port::Tape(_));
     match protocol {
         Protocol::Sdo(_) if ports.iter().all(is_either) => Ok(Some(protocol)),

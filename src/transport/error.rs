@@ -1,6 +1,8 @@
 //! Why a link cannot be opened or does not go on.
 
 use super::Rs485Mode;
+#[cfg(target_os = "linux")]
+use super::can_trouble::CanTrouble;
 use crate::protocol::Hex;
 use crate::text::Text;
 use std::path::PathBuf;
@@ -60,6 +62,15 @@ pub enum LinkError {
         /// What has the name.
         found: String,
     },
+    /// Something is wrong with a CAN interface of the kernel.
+    #[cfg(target_os = "linux")]
+    #[error("{}", why.told(port).en)]
+    Can {
+        /// The port.
+        port: String,
+        /// What.
+        why: CanTrouble,
+    },
     /// The CAN adapter refuses to send.
     #[error("the CAN adapter at '{0}' refuses to send a frame")]
     Unsent(String),
@@ -115,6 +126,8 @@ impl LinkError {
             | LinkError::Direction { port, .. }
             | LinkError::Unreachable { port, .. }
             | LinkError::Stranger { port, .. } => Some(port),
+            #[cfg(target_os = "linux")]
+            LinkError::Can { port, .. } => Some(port),
             LinkError::Recording { .. } | LinkError::OffTape { .. } => None,
         }
     }

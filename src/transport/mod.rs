@@ -6,6 +6,10 @@
 
 mod adapter;
 mod between;
+#[cfg(target_os = "linux")]
+mod can;
+#[cfg(target_os = "linux")]
+mod can_trouble;
 mod clock;
 mod door;
 mod error;
@@ -59,6 +63,8 @@ pub struct Link {
 enum Carrier {
     Serial(Box<serial::SerialLink>),
     Net(Box<net::NetLink>),
+    #[cfg(target_os = "linux")]
+    Can(Box<can::CanLink>),
     Tape(Box<tape::TapeLink>),
     Sim(Box<sim::SimLink>),
 }
@@ -102,6 +108,10 @@ impl Link {
             Port::Mbtcp(endpoint) => net(endpoint, Far::Gateway).await?,
             // A bus has no characters; its adapter has, and most take any speed.
             Port::Slcan(port) => return Box::pin(Link::open(port, ADAPTER, Rs485::default())).await,
+            #[cfg(target_os = "linux")]
+            Port::Can(interface) => Carrier::Can(Box::new(can::CanLink::open(port.to_string(), interface)?)),
+            #[cfg(not(target_os = "linux"))]
+            Port::Can(_) => return Err(LinkError::NotFound(port.to_string())),
             Port::Tape(file) => Carrier::Tape(Box::new(tape::TapeLink::open(file, line)?)),
             Port::Sim(_) => return Err(LinkError::NotFound(port.to_string())),
         };
@@ -139,6 +149,8 @@ impl Link {
         let is_out = match &mut self.carrier {
             Carrier::Serial(link) => link.push(bytes),
             Carrier::Net(link) => link.push(bytes),
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => link.push(bytes),
             Carrier::Sim(link) => link.send(bytes).is_ok(),
             Carrier::Tape(_) => false,
         };
@@ -161,8 +173,8 @@ impl Link {
     /// waits. The times that the link tells stay those of the bench. A real line does so anyway, a recording never.
     pub fn pace(&mut self) {
         match &mut self.carrier {
-            Carrier::Serial(_) | Carrier::Net(_) | Carrier::Tape(_) => {}
             Carrier::Sim(link) => link.pace(),
+            _ => {}
         }
     }
 
@@ -173,6 +185,8 @@ impl Link {
         match &mut self.carrier {
             Carrier::Serial(link) => link.reopen(),
             Carrier::Net(link) => link.reopen().await,
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => link.reopen(),
             Carrier::Tape(_) => Ok(()),
             Carrier::Sim(link) => {
                 link.reopen();
@@ -185,7 +199,7 @@ impl Link {
     pub fn name(&self) -> Option<&str> {
         match &self.carrier {
             Carrier::Serial(link) => Some(link.name()),
-            Carrier::Net(_) | Carrier::Tape(_) | Carrier::Sim(_) => None,
+            _ => None,
         }
     }
 
@@ -194,7 +208,7 @@ impl Link {
     pub fn can_set_line(&self) -> bool {
         match &self.carrier {
             Carrier::Net(link) => link.can_set_line(),
-            Carrier::Serial(_) | Carrier::Tape(_) | Carrier::Sim(_) => true,
+            _ => true,
         }
     }
 
@@ -209,8 +223,8 @@ impl Link {
         match &mut self.carrier {
             Carrier::Serial(link) => link.set_line(line)?,
             Carrier::Net(link) => link.set_line(line).await?,
-            Carrier::Tape(_) => {}
             Carrier::Sim(link) => link.set_line(line),
+            _ => {}
         }
         let at = self.now();
         if let Some(trace) = &mut self.trace {
@@ -225,7 +239,7 @@ impl Link {
             Carrier::Serial(link) => link.deviations(),
             Carrier::Net(link) => link.deviations(),
             Carrier::Tape(link) => link.deviations(),
-            Carrier::Sim(_) => &[],
+            _ => &[],
         }
     }
 
@@ -235,6 +249,8 @@ impl Link {
         match &self.carrier {
             Carrier::Serial(link) => link.adapter(),
             Carrier::Net(link) => named(link.name()),
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => named(link.name()),
             Carrier::Tape(_) => named("tape"),
             Carrier::Sim(_) => named("sim"),
         }
@@ -248,17 +264,17 @@ impl Link {
     /// The same since the beginning of 1970.
     pub fn since_1970(&self) -> Option<Span> {
         match &self.carrier {
-            Carrier::Serial(_) | Carrier::Net(_) => Some(clock::since_1970()),
             Carrier::Tape(_) | Carrier::Sim(_) => None,
+            _ => Some(clock::since_1970()),
         }
     }
 
     /// Whether its time only goes on by waiting on it, and takes none then.
     pub fn stands_still(&self) -> bool {
         match &self.carrier {
-            Carrier::Serial(_) | Carrier::Net(_) => false,
             Carrier::Tape(_) => true,
             Carrier::Sim(link) => !link.is_paced(),
+            _ => false,
         }
     }
 
@@ -267,6 +283,8 @@ impl Link {
         match &self.carrier {
             Carrier::Serial(link) => link.now(),
             Carrier::Net(link) => link.now(),
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => link.now(),
             Carrier::Tape(link) => link.now(),
             Carrier::Sim(link) => link.now(),
         }
@@ -281,6 +299,8 @@ impl Link {
         match &mut self.carrier {
             Carrier::Serial(link) => link.send(bytes).await?,
             Carrier::Net(link) => link.send(bytes).await?,
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => link.send(bytes)?,
             Carrier::Tape(link) => link.send(bytes)?,
             Carrier::Sim(link) => link.send(bytes)?,
         }
@@ -320,6 +340,8 @@ impl Link {
         let wake = match &mut self.carrier {
             Carrier::Serial(link) => link.wait(until).await?,
             Carrier::Net(link) => link.wait(until).await?,
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => link.wait(until).await?,
             Carrier::Tape(link) => link.wait(until),
             Carrier::Sim(link) => link.wait(until).await?,
         };
@@ -337,6 +359,8 @@ impl Link {
         match &self.carrier {
             Carrier::Serial(link) => link.outlast(until),
             Carrier::Net(link) => link.outlast(until),
+            #[cfg(target_os = "linux")]
+            Carrier::Can(link) => link.outlast(until),
             Carrier::Tape(_) | Carrier::Sim(_) => {}
         }
     }
@@ -344,8 +368,8 @@ impl Link {
     /// The bench behind the link, if it is one.
     pub fn bench(&mut self) -> Option<&mut Bench> {
         match &mut self.carrier {
-            Carrier::Serial(_) | Carrier::Net(_) | Carrier::Tape(_) => None,
             Carrier::Sim(link) => link.bench(),
+            _ => None,
         }
     }
 }

@@ -18,6 +18,8 @@ pub enum Port {
     Mbtcp(Endpoint),
     /// `slcan:PORT`: a CAN adapter that speaks SLCAN, on a tty or behind `tcp://`.
     Slcan(Box<Port>),
+    /// `can:INTERFACE`: a CAN interface of the kernel (Linux).
+    Can(String),
     /// `tape:FILE`: a recording that is played back.
     Tape(PathBuf),
     /// The built-in bench: the standard one, or one from a file.
@@ -66,10 +68,15 @@ impl FromStr for Port {
                     "erwartet: slcan:GERÄT wie slcan:/dev/ttyACM0, oder slcan:tcp://RECHNER:PORT; angegeben: '{text}'"
                 ))),
             },
-            Some(("can", _)) => Err(Wrong(both!(
-                "can: ports are not supported by this version; expected an adapter such as slcan:/dev/ttyACM0",
-                "Anschlüsse mit can: kann diese Version nicht; erwartet: ein Adapter wie slcan:/dev/ttyACM0"
+            Some(("can", _)) if cfg!(not(target_os = "linux")) => Err(Wrong(both!(
+                "only Linux has can: ports; expected an adapter such as slcan:COM3",
+                "Anschlüsse mit can: gibt es nur unter Linux; erwartet: ein Adapter wie slcan:COM3"
             ))),
+            Some(("can", name)) if name.is_empty() || name.contains(['/', '.', ':']) => Err(Wrong(both!(
+                "expected can:INTERFACE such as can:can0, got '{text}'",
+                "erwartet: can:SCHNITTSTELLE wie can:can0; angegeben: '{text}'"
+            ))),
+            Some(("can", name)) => Ok(Port::Can(name.to_owned())),
             _ => Ok(Port::Serial(text.to_owned())),
         }
     }
@@ -83,6 +90,7 @@ impl fmt::Display for Port {
             Port::Rfc2217(endpoint) => write!(f, "rfc2217://{endpoint}"),
             Port::Mbtcp(endpoint) => write!(f, "mbtcp://{endpoint}"),
             Port::Slcan(port) => write!(f, "slcan:{port}"),
+            Port::Can(name) => write!(f, "can:{name}"),
             Port::Tape(file) => write!(f, "tape:{}", file.display()),
             Port::Sim(None) => f.write_str("sim"),
             Port::Sim(Some(file)) => write!(f, "sim:{}", file.display()),
@@ -142,6 +150,7 @@ mod tests {
             "mbtcp://gateway:1502",
             "slcan:/dev/ttyACM0",
             "slcan:tcp://adapter:3333",
+            "can:can0",
             "tape:run.trace",
             "sim",
             "sim:bench.toml",
@@ -170,7 +179,7 @@ mod tests {
             let error = text.parse::<Port>().unwrap_err().to_string();
             assert!(error.contains("HOST") && error.ends_with(&format!("got '{text}'")), "{text}: {error}");
         }
-        for text in ["", "tape:", "sim:", "can:can0", "slcan:", "slcan:sim", "slcan:slcan:x", "slcan:tcp://a"] {
+        for text in ["", "tape:", "sim:", "can:", "can:../x", "slcan:", "slcan:sim", "slcan:slcan:x", "slcan:tcp://a"] {
             assert!(text.parse::<Port>().unwrap_err().to_string().contains("expected"), "{text}");
         }
     }

@@ -50,6 +50,19 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
         "simulator::bench",
         &["simulator::judge", "simulator::line", "simulator::station", "simulator::totals", "protocol", "tick"],
     ),
+    (
+        "transport::can",
+        &[
+            "transport::Ends",
+            "transport::LinkError",
+            "transport::Wake",
+            "transport::can_trouble",
+            "transport::clock",
+            "simulator",
+            "protocol::can",
+            "tick",
+        ],
+    ),
     ("transport", &["simulator", "files", "text", "protocol::line", "protocol::Hex", "tick"]),
     (
         "drive",

@@ -62,10 +62,18 @@ pub(in crate::drive) fn unopened(port: &str, bit_rate: u32, why: &Unopened) -> F
                  gesendet"
             ),
         )
-        .hint(both!(
-            "most likely the bus has another bit rate (-b; P.903 of every drive), or its terminations are missing",
-            "wahrscheinlich hat der Bus eine andere Bitrate (-b; P.903 jedes Umrichters), oder die Abschlüsse fehlen"
-        )),
+        .hint(match port.strip_prefix("can:") {
+            Some(name) => both!(
+                "most likely {name} was set to another bit rate than the bus has (P.903 of every drive): `ip -details link show {name}` \
+                 tells it; or the terminations are missing",
+                "wahrscheinlich ist {name} auf eine andere Bitrate eingestellt, als der Bus hat (P.903 jedes Umrichters): \
+                 `ip -details link show {name}` nennt sie; oder die Abschlüsse fehlen"
+            ),
+            None => both!(
+                "most likely the bus has another bit rate (-b; P.903 of every drive), or its terminations are missing",
+                "wahrscheinlich hat der Bus eine andere Bitrate (-b; P.903 jedes Umrichters), oder die Abschlüsse fehlen"
+            ),
+        }),
     }
 }
 

@@ -22,6 +22,8 @@ pub(in crate::drive) fn link(error: &LinkError) -> Failure {
             let text = both!("{port} is no serial port", "{port} ist kein serieller Anschluss");
             Failure::new(class, "port.no_serial_port", text).hint(found_ports())
         }
+        #[cfg(target_os = "linux")]
+        LinkError::Can { port, why } => Failure::new(class, why.code(), said(error)).hint(why.hint(port)),
         // A server that hung up is another matter than an adapter that was unplugged, but the same failure.
         LinkError::Lost(port) if port.contains("://") => {
             Failure { code: "port.lost".to_owned(), ..advised(class, "port.lost_server", said(error)) }
@@ -67,6 +69,8 @@ fn code(error: &LinkError) -> &'static str {
         LinkError::Stuck(_) => "port.stuck",
         LinkError::Stranger { .. } => "port.stranger",
         LinkError::Lost(_) => "port.lost",
+        #[cfg(target_os = "linux")]
+        LinkError::Can { why, .. } => why.code(),
         LinkError::Unsent(_) => "port.can_unsent",
         LinkError::Unacknowledged { .. } => "silence.no_acknowledge",
     }
@@ -94,6 +98,8 @@ fn said(error: &LinkError) -> Text {
         LinkError::Lost(port) => {
             both!("{error}", "Anschluss '{port}' verloren: Adapter abgezogen oder Gegenseite hat aufgelegt")
         }
+        #[cfg(target_os = "linux")]
+        LinkError::Can { port, why } => why.told(port),
         LinkError::Unsent(port) => both!("{error}", "der CAN-Adapter an '{port}' lehnt es ab, einen Frame zu senden"),
         LinkError::Unacknowledged { port, flags } => both!(
             "{error}",
