@@ -2129,7 +2129,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s b -l baud -d 'New speed in baud' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l parity -d 'New parity of Modbus: even, odd, none' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s a -l address -d 'New address: Modbus 1-247, VABus 1-30' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s a -l address -d 'New address: Modbus 1-247, VABus 1-30, CAN 1-63' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"

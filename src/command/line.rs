@@ -23,7 +23,7 @@ use clap::{Arg, Args as ClapArgs, Subcommand};
 ///
 /// ACTIVE: a new address holds at once; speed (P.10) and parity (P.1375) hold after a restart (P.34 = 123), which is done
 /// too. LXM05: speed and format hold when it is switched on the next time; for the address its manual does not say, so it
-/// is looked for at both.
+/// is looked for at both. On a CAN bus (--protocol sdo) only the node (P.900) is changed so, and looked for at both too.
 /// After every step the drive has to answer at its new place. If it does not, but still answers at the old one,
 /// everything is put back. The way back is printed.
 #[derive(Clone, Debug, ClapArgs)]
@@ -47,9 +47,9 @@ enum What {
         /// New parity of Modbus: even, odd, none
         #[arg(id = "new_parity", long = "parity", value_name = "PARITY")]
         parity: Option<String>,
-        /// New address: Modbus 1-247, VABus 1-30
+        /// New address: Modbus 1-247, VABus 1-30, CAN 1-63
         ///
-        /// Of Modbus P.1376, MBadr; of VABus P.394.
+        /// Of Modbus P.1376, MBadr; of VABus P.394; on a CAN bus P.900.
         #[arg(id = "new_address", short = 'a', long = "address", value_name = "ADDRESS")]
         address: Option<u32>,
     },
@@ -65,6 +65,7 @@ fn present(option: &'static str, flag: &'static str) -> Arg {
 impl Verb for Args {
     const NAME: &'static str = "line";
     const TAKES: Takes = Takes::WRITES;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] =
         &["antrieb --port sim -a 1 line show", "antrieb --port sim -a 1 line set --baud 57600 --dry-run"];
     const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));

@@ -45,8 +45,8 @@ pub(super) fn own_line(label: &str) -> Failure {
         "{label} ist eine Einstellung des Busses, über den dies geht, und keine Quelle nennt, ab wann sie gilt; es wurde nichts gesendet"
     );
     Failure::new(Class::Forbidden, "forbidden.own_line", message).hint(both!(
-        "write it over the serial plug of the drive",
-        "über den seriellen Anschluss des Umrichters schreiben"
+        "write it over the serial plug of the drive; the node (P.900) alone moves by `antrieb line set`, which looks for the drive at both",
+        "über den seriellen Anschluss des Umrichters schreiben; nur den Knoten (P.900) stellt `antrieb line set` um und sucht ihn an beiden"
     ))
 }
 

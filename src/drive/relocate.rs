@@ -8,6 +8,7 @@ mod journey;
 mod plot;
 mod said;
 
+use plot::address_role;
 pub use plot::course;
 
 use super::interrupt::Interrupt;
@@ -119,6 +120,9 @@ impl Place {
     /// The options of our own command line that reach it.
     fn options(self) -> String {
         let Place { protocol, line, address } = self;
+        if let Protocol::Sdo(_) = protocol {
+            return format!("--protocol {protocol} -b {} -a {address}", line.baud);
+        }
         let usual = protocol.line(line.baud, line.parity);
         let mut text = format!("--protocol {protocol} -b {} --parity {} -a {address}", line.baud, line.parity.name());
         if line.data_bits != usual.data_bits {
@@ -173,14 +177,14 @@ impl Wish {
 /// The writes that bring a drive of this family, on a line that speaks `protocol`, to what is wished for, as far as they
 /// can be told without asking it.
 pub fn orders(wish: &Wish, protocol: Protocol, family: &Family) -> Vec<Inquiry> {
-    let address = if protocol == Protocol::Vabus { "node-id" } else { "address" };
+    let address = address_role(protocol);
     let line = &family.link.line;
     let baud = coded(&line.baud_rates, wish.baud).map(|row| row.1);
     let parity = coded(&parities(family), wish.parity).map(|row| row.1);
     let restart = baud.or(parity).and(line.restart);
     let writes = [
         ("protocol", coded(&protocols(family), wish.protocol).map(|row| row.1)),
-        (address, wish.address.map(i64::from)),
+        (address.name(), wish.address.map(i64::from)),
         ("baud-rate", baud),
         (line.parity.as_str(), parity),
         ("reset", restart),

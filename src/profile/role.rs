@@ -33,6 +33,7 @@ roles! {
     Address "address" "Its own address on the line.",
     BaudRate "baud-rate" "Speed of the line.",
     BrakingTime "braking-time" "How long it brakes by direct current behind a stop.",
+    BusNode "bus-node" "Its address on the system bus.",
     Configuration "configuration" "Kind of regulation, and where functions take their input from.",
     ControlDeviation "control-deviation" "How far the actual value may be from the setpoint and still be reached.",
     ControlMode "control-mode" "Who is obeyed: contacts, control word.",

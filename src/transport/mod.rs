@@ -172,9 +172,8 @@ impl Link {
     /// Lets the time of the bench follow the wall clock from now on, for verbs that watch or hold: waiting really
     /// waits. The times that the link tells stay those of the bench. A real line does so anyway, a recording never.
     pub fn pace(&mut self) {
-        match &mut self.carrier {
-            Carrier::Sim(link) => link.pace(),
-            _ => {}
+        if let Carrier::Sim(link) = &mut self.carrier {
+            link.pace();
         }
     }
 

@@ -233,6 +233,33 @@ fn over_the_bus_nobody_is_moved_on_it() {
     assert_eq!(run.file("x.toml", file).json().exits(8).error()["code"], "forbidden.cuts");
 }
 
+/// No source tells when a node holds (5.5), so the drive is looked for at both.
+#[test]
+fn a_node_is_moved_over_the_bus_and_found_whenever_it_holds() {
+    for (place, now, result) in [("power-on", 5, "stored"), ("at-once", 9, "moved"), ("reset-node", 5, "stored")] {
+        let bench = format!("[readings]\nplace = \"{place}\"\n{}", on_bus(&[(5, ""), (6, "")]));
+        let run = antrieb("--protocol sdo -a 5 --yes line set --address 9").on(&bench).json().exits(0);
+        assert_eq!([run.data("/now/address"), run.data("/result")], [&json!(now), &json!(result)], "{place}");
+        let back = run.data("/way_back").as_str().unwrap();
+        assert!(back.ends_with(&format!("-a {now} line set --address 5")) && !back.contains("parity"), "{back}");
+        let bus = witness::left_can().unwrap();
+        assert_eq!((bus.eeprom(now, 900, 0), bus.remarks().len()), (Some(9), 0), "{place}: {:?}", bus.remarks());
+    }
+    let bench = on_bus(&[(5, ""), (6, ""), (0, "")]);
+    for (typed, exit) in [
+        ("-a 5 --yes line set --address 6", 8),
+        ("-a 5 --yes line set --address 64", 7),
+        ("-a 5 --yes line set --baud 9600", 8),
+        ("-a master --yes line set --address 9", 8),
+        ("-a 5 line set --address 9", 8),
+    ] {
+        antrieb(&format!("--protocol sdo {typed}")).on(&bench).exits(exit);
+        assert!(witness::left_can().is_none_or(|bus| bus.counts()[2] == 0), "{typed}");
+    }
+    let run = antrieb("--protocol sdo -a 5 line set --address 9 --dry-run").on(&bench).json().exits(0);
+    assert_eq!(*run.data("/telegrams/0/hex"), json!("645#2B 84 03 00 09 00 00 00"));
+}
+
 #[test]
 fn over_the_serial_plug_a_drive_gets_its_place_too() {
     let bench = drives(&[(1, ""), (7, "")]);

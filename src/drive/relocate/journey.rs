@@ -1,5 +1,6 @@
 //! A drive on its way: step by step, and back where a step fails.
 
+use super::plot::address_role;
 use super::said::unmoved;
 use super::{Leg, Place, Then, number, parities, protocols};
 use crate::drive::access::AccessError;
@@ -212,10 +213,12 @@ impl Journey<'_, '_> {
         follow(self.session, self.target, place).await?;
         let usual = self.session.limits();
         let limits = Limits { retries: retries.unwrap_or(usual.retries), ..usual };
-        let protocol = self.target.family.role(Role::Protocol).cloned();
+        let is_on_bus = matches!(place.protocol, Protocol::Sdo(_));
+        let protocol = self.target.family.role(Role::Protocol).filter(|_| !is_on_bus).cloned();
         let spoken = number(&protocols(&self.target.family), &place.protocol);
-        // Where a drive speaks one protocol only, its address is as good a sign as any.
-        let Some(param) = protocol.clone().or_else(|| self.target.family.role(Role::Address).cloned()) else {
+        // Where a drive speaks one protocol only, as on a CAN bus, its address is as good a sign as any.
+        let Some(param) = protocol.clone().or_else(|| self.target.family.role(address_role(place.protocol)).cloned())
+        else {
             return Ok(false);
         };
         let target = &mut *self.target;

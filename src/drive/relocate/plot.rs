@@ -1,12 +1,13 @@
 //! Finds the way from where a drive is to what is wished for.
 
-use super::said::{behind_another, cannot_follow, out_of_range, speaks_one_only, unknown_settings};
+use super::said::{behind_another, cannot_follow, of_the_bus, out_of_range, speaks_one_only, unknown_settings};
 use super::{Change, Course, Leg, Place, Then, Wish, coded, meaning, number, parities, protocols};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
 use crate::profile::{Holds, Param, Role};
 use crate::protocol::Protocol;
+use crate::protocol::can::LAST_DRIVE;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::LAST_STATION;
 use crate::protocol::vabus::Address;
@@ -17,6 +18,11 @@ pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish)
     wish.check(std::slice::from_ref(&family))?;
     if session.node() != 0 {
         return Err(behind_another());
+    }
+    let others = wish.protocol.is_some() || wish.baud.is_some() || wish.parity.is_some();
+    let is_on_bus = matches!(session.protocol(), Protocol::Sdo(_));
+    if is_on_bus && (others || target.address > LAST_DRIVE) {
+        return Err(of_the_bus());
     }
     let from = Place { protocol: session.protocol(), line: session.line(), address: target.address };
     let mut plot = Plot { session, target, here: from, legs: Vec::new(), restarts: false };
@@ -85,15 +91,20 @@ impl Plot<'_, '_> {
     }
 
     fn readdress(&mut self, address: u32) -> Result<(), Failure> {
-        let last = if self.here.protocol == Protocol::Vabus { Address::LAST } else { LAST_STATION };
+        let last = match self.here.protocol {
+            Protocol::Vabus => Address::LAST,
+            Protocol::Sdo(_) => LAST_DRIVE,
+            Protocol::Modbus(_) => LAST_STATION,
+        };
         let fits = u8::try_from(address).ok().filter(|address| *address <= last);
         let address = fits.ok_or_else(|| out_of_range("address", &format!("1-{last}"), &address))?;
         let param = self.row(address_role(self.here.protocol))?;
         let old = Some(self.here.address.into());
         self.here.address = address;
-        let then = match self.target.family.link.line.address {
-            Holds::AtOnce => Then::At(self.here),
-            Holds::Unsaid => Then::Perhaps(Change::Address(address)),
+        let then = match (self.target.family.link.line.address, self.here.protocol) {
+            // When a node holds is in no source (EM-RES-03 manual 5.5).
+            (_, Protocol::Sdo(_)) | (Holds::Unsaid, _) => Then::Perhaps(Change::Address(address)),
+            (Holds::AtOnce, _) => Then::At(self.here),
         };
         self.legs.push(Leg { param, old, raw: address.into(), then });
         Ok(())
@@ -133,10 +144,10 @@ impl Plot<'_, '_> {
 }
 
 /// The parameter that holds the address in a protocol.
-fn address_role(protocol: Protocol) -> Role {
+pub(super) fn address_role(protocol: Protocol) -> Role {
     match protocol {
         Protocol::Vabus => Role::NodeId,
-        // Nobody is moved by SDO, nor to it: `line` does not speak it.
-        Protocol::Modbus(_) | Protocol::Sdo(_) => Role::Address,
+        Protocol::Sdo(_) => Role::BusNode,
+        Protocol::Modbus(_) => Role::Address,
     }
 }

@@ -29,6 +29,17 @@ pub(super) fn behind_another() -> Failure {
     Failure::new(Class::Usage, "usage.node", text)
 }
 
+pub(super) fn of_the_bus() -> Failure {
+    let text = both!(
+        "over the CAN bus itself only the node of a slave (P.900) is changed: rate, channels and the master concern everybody on it",
+        "über den CAN-Bus selbst wird nur der Knoten eines Slaves (P.900) umgestellt: Bitrate, Kanäle und Master betreffen alle daran"
+    );
+    Failure::new(Class::Forbidden, "forbidden.own_line", text).hint(both!(
+        "write it over the serial plug of the drive",
+        "über den seriellen Anschluss des Umrichters schreiben"
+    ))
+}
+
 pub(super) fn out_of_range(what: &str, expected: &str, got: &dyn Display) -> Failure {
     let message = both!("{what}: expected {expected}, got {got}", "{what}: erwartet {expected}, erhalten {got}");
     Failure::new(Class::Data, "data.range", message)
