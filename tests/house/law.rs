@@ -111,7 +111,6 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
         "protocol",
         &[
             "drive",
-            "drive::access",
             "drive::account",
             "drive::bus_order",
             "drive::bus_watch",
