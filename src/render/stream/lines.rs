@@ -31,7 +31,8 @@ impl<'a> Lines<'a> {
     fn head(&mut self, start: &StreamStart) -> io::Result<()> {
         self.board = Board::of(start);
         let is_state = |column: &Column| column.role == Some("status-word");
-        self.state = self.board.columns.iter().any(is_state);
+        // Every exchange over PROFIBUS tells it, in Basic mode by no word that has a number.
+        self.state = start.protocol == "dp" || self.board.columns.iter().any(is_state);
         let labels: Vec<_> = self.board.columns.iter().map(|column| (self.label(column), is_state(column))).collect();
         let labels: Vec<_> = labels.into_iter().filter(|(_, is_state)| !is_state).map(|(label, _)| label).collect();
         self.board.columns.retain(|column| !is_state(column));

@@ -59,6 +59,10 @@ fn the_block_of_basic_mode_is_told_in_hertz() {
         assert_eq!(of(sample, 7)["error"]["code"], "refused.no_pkw");
     }
     assert_eq!(run.exit, 9, "the ramp never came");
+    let run = antrieb("-a 3 --protocol dp --yes --drive l200 monitor --mode basic --count 2 --unpaced")
+        .on(&module("", "", ""));
+    let run = run.exits(0);
+    assert!(run.out.contains("state") && run.out.contains("Stop"), "{}", run.out);
 }
 
 #[test]
