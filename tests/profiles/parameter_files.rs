@@ -1,10 +1,13 @@
 //! Parameter files: what is written is read, old files stay readable, and what is broken is refused with its place.
 
-use antrieb::profile::paramfile::{Head, NotHeld, ParamFile, Provenance, SavedDrive, Scope, Settings, print, schema};
+use antrieb::profile::paramfile::{
+    Head, NotHeld, ParamFile, Provenance, SavedDrive, Scope, Settings, print, print_undo, schema,
+};
 use antrieb::profile::{Family, Registry, Type};
 use std::rc::Rc;
 
 const VERSION_1: &str = include_str!("parameter-file-1.toml");
+const VERSION_2: &str = include_str!("parameter-file-2.toml");
 
 fn family(drive: &str) -> Rc<Family> {
     Registry::open(&[]).unwrap().family(drive).unwrap()
@@ -52,6 +55,24 @@ fn a_file_of_version_1_stays_readable() {
     assert_eq!(types[&417], Type::Long);
     assert_eq!(settings.exactly(417, 0).unwrap().kind, Some(Type::Long));
     assert_eq!(saved.signature.as_deref(), Some(settings.signature("acu").to_string().as_str()));
+}
+
+#[test]
+fn a_file_of_version_2_stays_readable() {
+    let file = ParamFile::parse("old.undo.toml", VERSION_2).unwrap();
+    let act = family("act");
+    assert_eq!(rows(&file.settings(&act).unwrap()), [(480, 1, 500), (480, 2, 500), (480, 3, 500), (480, 4, 500)]);
+    let coming = file.coming(&act).unwrap().unwrap();
+    assert_eq!(rows(&coming), [(480, 1, 800), (480, 2, 800), (480, 3, 800), (480, 4, 800)]);
+    let in_ram = file.in_ram_alone(&act).unwrap();
+    assert_eq!(rows(&in_ram), [(480, 2, 700)]);
+    let store = file.undo.as_ref().unwrap().store;
+    let printed = print_undo(&file.head, &file.settings(&act).unwrap(), (&coming, store), &in_ram, &act);
+    let below = |text: &str| text[text.find("[values]").unwrap()..].to_owned();
+    assert_eq!(below(&printed), below(VERSION_2));
+    assert!(file.in_ram_alone(&act).unwrap() == in_ram && printed.contains("\nantrieb = 2\n"));
+    let old = ParamFile::parse("old.toml", VERSION_1).unwrap();
+    assert!(old.in_ram_alone(&family("acu")).unwrap().is_empty());
 }
 
 #[test]
@@ -123,9 +144,9 @@ fn what_is_broken_is_refused_with_line_and_column() {
     for (text, told) in [
         ("", "x.toml:1:1: this is no parameter file: expected `antrieb = 1` at its beginning"),
         ("drives = 3\n", "x.toml:1:1: this is no parameter file"),
-        ("antrieb = 0\n", "x.toml:1:11: expected the version of the format, 1 to 1"),
+        ("antrieb = 0\n", "x.toml:1:11: expected the version of the format, 1 to 2"),
         ("antrieb = \"1\"\n", "x.toml:1:11: expected the version"),
-        ("# x\nantrieb = 2\nnew = 1\n", "x.toml:2:11: format 2 is newer than this program"),
+        ("# x\nantrieb = 3\nnew = 1\n", "x.toml:2:11: format 3 is newer than this program"),
         ("antrieb = 1\n[values]\n", "missing field `drive`"),
         ("antrieb = 1\n[drive]\nfamily = \"acu\"\n", "missing field `values`"),
         (
@@ -154,12 +175,14 @@ fn the_json_schema_fits_what_is_read_and_what_is_written() {
         types: [(1, Type::Uint), (2, Type::Int), (3, Type::Word), (4, Type::Long)].into(),
         lang: antrieb::text::Lang::De,
     };
-    for text in [VERSION_1, &print(&file.head, &settings, &family("acu")), &print(&head, &settings, &family("acu"))] {
+    for text in
+        [VERSION_1, VERSION_2, &print(&file.head, &settings, &family("acu")), &print(&head, &settings, &family("acu"))]
+    {
         let errors: Vec<_> = schema.iter_errors(&json(text)).map(|error| error.to_string()).collect();
         assert_eq!(errors, [""; 0], "{text}");
         ParamFile::parse("x", text).unwrap();
     }
-    for text in ["antrieb = 2\nvalues = {}\ndrive.family = \"acu\"", "antrieb = 1\nvalues = {}", "antrieb = 1"] {
+    for text in ["antrieb = 3\nvalues = {}\ndrive.family = \"acu\"", "antrieb = 1\nvalues = {}", "antrieb = 1"] {
         assert!(!schema.is_valid(&json(text)), "{text}");
     }
 }

@@ -11,7 +11,7 @@ use crate::drive::{Session, Target, Terms, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::profile::paramfile::Scope;
-use crate::profile::{Family, Selector, Sets, Store};
+use crate::profile::{Family, Param, Selector, Sets, Store};
 use crate::text::both;
 use clap::Args as ClapArgs;
 use std::collections::BTreeSet;
@@ -151,18 +151,6 @@ fn nothing() -> Failure {
     Failure::new(Class::Usage, "usage.sides", message)
 }
 
-/// Two data sets of one drive have no file of which lines could be shown.
-pub(super) fn no_lines() -> Failure {
-    let message = both!(
-        "--unified shows lines of files; two data sets stand beside each other in a table",
-        "--unified zeigt Zeilen von Dateien; zwei Datensätze stehen in einer Tabelle nebeneinander"
-    );
-    Failure::new(Class::Usage, "usage.unified", message).hint(both!(
-        "leave --unified out, or name a file on one side",
-        "--unified weglassen oder auf einer Seite eine Datei nennen"
-    ))
-}
-
 /// The parameters that are meant, if any are named.
 fn chosen(texts: &[String], family: &Family) -> Result<Option<BTreeSet<u32>>, Failure> {
     let mut chosen = BTreeSet::new();
@@ -185,6 +173,14 @@ async fn read(
     b: &mut Weight,
     chosen: Option<&BTreeSet<u32>>,
 ) -> Result<(), Failure> {
+    if a.set().is_some() && b.set().is_some() {
+        let family = a.family.clone();
+        let params = family.params.values().filter(|param| param.sets == Some(Sets::Four) && param.access.reads());
+        let params: Vec<&Param> = params.filter(|param| is_chosen(chosen, param.id)).collect();
+        a.ask_set(session, &params).await;
+        b.ask_set(session, &params).await;
+        return Ok(());
+    }
     if a.live.is_some() && b.live.is_some() {
         // One of two drives is read whole, and the other is asked for the same.
         let (whole, in_sets) = if a.set().is_some() { (&mut *b, true) } else { (&mut *a, b.set().is_some()) };

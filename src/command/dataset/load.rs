@@ -17,7 +17,6 @@ use crate::profile::paramfile::{At, Head, ParamFile, SavedDrive};
 use crate::profile::{Family, Registry};
 use crate::text::both;
 use clap::Args as ClapArgs;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -137,20 +136,22 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let address = only_one(&addresses_to_write(context.settings)?)?;
     let opened = Opened::read(&args.file, context.registry, context.settings.named_drive())?;
     let Opened { file, family, .. } = opened;
-    let (steps, from) = transaction::steps_back(&file, &family)?;
+    let mut back = transaction::way_back(&file, &family)?;
     same_address(&file, (address, context.settings.node), context.settings.force)?;
     let mut report = blank(address, &family.drive, vec![args.file.display().to_string()], Vec::new());
     if context.settings.dry_run {
         // What stood in the drive is not judged.
-        return dry_run(context, report, &family, &steps, |_, _, _| Ok(()));
+        return dry_run(context, report, &family, &back.steps, |_, _, _| Ok(()));
     }
-    let from = if context.settings.force { BTreeMap::new() } else { from };
+    if context.settings.force {
+        back.from.clear();
+    }
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
     let drive = same_family(&mut session, &terms, address, (&family, &file.family_at, settings.force)).await?;
     same_product(&file, drive.product.as_deref(), settings.force)?;
-    let mut plan = transaction::plan_back(&mut session, drive.target, &terms, steps, from).await?;
+    let mut plan = transaction::plan_back(&mut session, drive.target, &terms, back).await?;
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
     // What somebody has changed since, or what cannot be read, stays; the others go back.
     let (forbidding, theirs): (Vec<Failure>, _) =

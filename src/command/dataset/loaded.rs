@@ -87,7 +87,8 @@ pub(in crate::command) fn nothing_to_come() -> Text {
 
 /// The first of what is in the way, and how many more there are.
 fn in_the_way(failures: Vec<Failure>, so: &Text) -> Option<Failure> {
-    let count = failures.len();
+    // Four data sets that stand in one line are one thing in the way.
+    let count = failures.iter().map(|failure| &failure.message.en).collect::<BTreeSet<_>>().len();
     let without = without(&failures);
     let first = failures.into_iter().next()?;
     let why = first.message.clone();
@@ -334,9 +335,9 @@ fn by_undo(left: &Path, kinds: &[String], is_lost: bool) -> Text {
             "`antrieb dataset undo {file}` holt sie zurück, sobald der Antrieb antwortet"
         ),
         true => both!(
-            "`antrieb dataset undo {file}` brings back what is stored; what the drive works with (RAM) it does not know: switching \
+            "`antrieb dataset undo {file}` brings back what is stored; what the drive worked with (RAM) it only names: switching \
              the drive off and on takes it from what is stored, `antrieb write` with @1ram to @4ram sets it",
-            "`antrieb dataset undo {file}` holt zurück, was gespeichert ist; womit der Antrieb arbeitet (RAM), weiß es nicht: Aus- \
+            "`antrieb dataset undo {file}` holt zurück, was gespeichert ist; womit der Antrieb arbeitete (RAM), nennt es nur: Aus- \
              und Einschalten nimmt dafür das Gespeicherte, `antrieb write` mit @1ram bis @4ram setzt es"
         ),
     }

@@ -87,9 +87,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         Action::Save(options) => save::run(options, context).await,
         Action::Check(options) => check::run(options, context).await,
         Action::Diff(options) => match options.sets() {
-            Some(_) if options.unified => Err(diff::no_lines()),
-            Some(pair) => sets::run(&sets::Action::Diff { pair, params: options.params.clone() }, context).await,
-            None => diff::run(options, context).await,
+            Some(pair) if !options.unified || context.settings.dry_run => {
+                sets::run(&sets::Action::Diff { pair, params: options.params.clone() }, context).await
+            }
+            _ => diff::run(options, context).await,
         },
         Action::Load(options) => match running::several(context.settings) {
             Some(addresses) => each_loaded::load(options, context, &addresses).await,

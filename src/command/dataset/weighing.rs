@@ -8,7 +8,7 @@ use crate::drive::{Session, Target, Terms, summary};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Comparison, Comparisons, Data, ErrorDoc, Outcome, Side, Warning};
 use crate::profile::paramfile::Settings;
-use crate::profile::{Family, Store};
+use crate::profile::{DataSets, Family, Param, Store};
 use crate::text::{Text, both};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -54,7 +54,7 @@ impl Weight {
             Which::File(_) => (file.map(|file| file.settings.clone()).unwrap_or_default(), None),
             Which::Drive(_) => (Settings::default(), None),
             &Which::Set(set, store) => {
-                crate::command::check_sets(family, crate::profile::DataSets::One(set, store))?;
+                crate::command::check_sets(family, DataSets::One(set, store))?;
                 (Settings::default(), Some((set, store)))
             }
         };
@@ -87,10 +87,18 @@ impl Weight {
             None => of_file(&other.settings, &self.family),
         };
         if let Some((set, _)) = self.set() {
-            other.settings = held(&other.settings, set);
+            other.settings = held(&other.settings, set, set);
             other.settings.retain(|one| asked.iter().any(|asking| asking.param.id == one.param.id));
         }
         self.ask(session, &asked).await;
+    }
+
+    /// Asks a data set of the drive for these parameters. What it holds counts for the parameter, whichever set it is.
+    pub(super) async fn ask_set(&mut self, session: &mut Session<'_>, params: &[&Param]) {
+        let Some((set, store)) = self.set() else { return };
+        let asking = |param: &&Param| Asking { param: (*param).clone(), sets: vec![DataSets::One(set, store)] };
+        self.ask(session, &params.iter().map(asking).collect::<Vec<_>>()).await;
+        self.settings = held(&self.settings, set, 0);
     }
 
     /// What the drive works with, where that is not what it has stored.

@@ -135,12 +135,12 @@ pub fn of_set(settings: &Settings, set: u8, store: Store) -> Vec<Asking> {
     in_sets.map(|param| Asking { param: param.clone(), sets: vec![DataSets::One(set, store)] }).collect()
 }
 
-/// What these settings say of one data set.
-pub fn held(settings: &Settings, set: u8) -> Settings {
+/// What these settings say of one data set, as what is said of the data set `of`.
+pub fn held(settings: &Settings, set: u8, of: u8) -> Settings {
     let mut one = Settings::default();
     for param in settings.params() {
         if let Some(setting) = settings.get(param.id, set) {
-            one.insert(Setting { set, ..setting.clone() });
+            one.insert(Setting { set: of, ..setting.clone() });
         }
     }
     one

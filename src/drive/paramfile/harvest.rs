@@ -10,7 +10,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::profile::paramfile::{At, NotHeld, Setting, Settings};
 use crate::profile::{DataSets, Param, Type};
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -74,8 +74,9 @@ impl Harvest {
         if self.settings.is_empty() {
             return Some(why);
         }
-        let message =
-            both!("{count} parameters are missing; {why}", "{count} Parameter fehlen; {why}", why = why.message);
+        let missing =
+            Text::count(count as u64, ["parameter is", "parameters are"], ["Parameter fehlt", "Parameter fehlen"]);
+        let message = both!("{missing} missing; {why}", "{missing}; {why}", missing, why = why.message);
         let ends = matches!(why.class, Class::Port | Class::Interrupted);
         let class = if ends { why.class } else { Class::Partial };
         Some(Failure { class, message, ..why })

@@ -27,6 +27,8 @@ const PAUSE: Span = Span::from_millis(500);
 const LOOKS: usize = 3;
 /// In what is known of a failure: which memory it is about.
 pub const STORE: &str = "store";
+/// In what is known of a failure: which parameter it is about.
+const PARAM: &str = "param";
 /// In what is known of a failure: of which data set it is.
 pub const SET: &str = "data_set";
 
@@ -387,7 +389,11 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
                 ),
                 ..failure
             };
-            let failure = failure.with(STORE, memory).with(SET, kept.set % DataSets::RAM_OFFSET);
+            // It counts as the value of its row, whatever was asked when it failed.
+            let set = own.and_then(|index| steps.get(index)).map_or(kept.set, |step| step.set);
+            let mut failure = failure.with(STORE, memory).with(SET, set % DataSets::RAM_OFFSET);
+            failure.context.retain(|(key, _)| *key != PARAM);
+            let failure = failure.with(PARAM, kept.param.id);
             // A row is of what is stored, where that did not come back either: its own error stays.
             let is_said = |row: &&mut Written| {
                 let torn = row.result == WriteResult::Unrestored && row.error.is_some();

@@ -1,18 +1,18 @@
 //! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
 //! the drive, and what was to come.
 
-use super::plan::{Plan, prepare};
+use super::plan::{Kept, Plan, prepare};
 use super::weigh::Purpose;
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
-use crate::drive::stands::has_ram;
+use crate::drive::stands::{has_ram, in_ram};
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{WriteResult, Written};
-use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, print_undo};
+use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, print_undo, value_text};
 use crate::profile::{DataSets, Family, Store};
-use crate::text::both;
+use crate::text::{Text, both};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -134,14 +134,15 @@ fn text(head: &Head, plan: &Plan) -> String {
         }
     }
     let store = if ram { Store::Ram } else { Store::Eeprom };
-    print_undo(head, &old, (&new, store), &plan.job.target.family)
+    let lost = if ram { Settings::default() } else { plan.in_ram_alone() };
+    print_undo(head, &old, (&new, store), &lost, &plan.job.target.family)
 }
 
 fn nowhere() -> At {
     At { path: "".into(), line: 0, column: 1 }
 }
 
-/// Reads what stands in the drive and says what there is to take back: `steps` lead to the old values, `from` says from which.
+/// Reads what stands in the drive and says what there is to take back.
 ///
 /// # Errors
 /// The drive does not answer.
@@ -149,13 +150,37 @@ pub async fn plan_back(
     session: &mut Session<'_>,
     target: Target,
     terms: &Terms<'_>,
-    steps: Vec<Step>,
-    from: Coming,
+    WayBack { steps, from, in_ram_alone }: WayBack,
 ) -> Result<Plan, Failure> {
-    prepare(session, target, terms, steps, &Purpose::Back(from)).await
+    let mut plan = prepare(session, target, terms, steps, &Purpose::Back(from)).await?;
+    plan.note_lost(session, &in_ram_alone).await?;
+    Ok(plan)
 }
 
 impl Plan {
+    /// What the drive works with that is not what it has stored, and that the plan writes over.
+    fn in_ram_alone(&self) -> Settings {
+        let mut alone = Settings::default();
+        for (step, row) in self.job.steps.iter().zip(&self.job.rows) {
+            for Kept { param, set, raw } in self.behind(step).filter(|kept| row.old_raw != Some(kept.raw)) {
+                let (param, set) = (param.clone(), set % DataSets::RAM_OFFSET);
+                alone.insert(Setting { param, set, raw: *raw, kind: None, at: nowhere() });
+            }
+        }
+        alone
+    }
+
+    /// Notes what the RAM alone held before the load and does not hold any more: what is stored is not the whole way back.
+    async fn note_lost(&mut self, session: &mut Session<'_>, in_ram_alone: &Settings) -> Result<(), Failure> {
+        for one in in_ram_alone.iter() {
+            let now = in_ram(session, &mut self.job.target, &one.param, &[one.set]).await?;
+            if !now.contains(&(one.set + DataSets::RAM_OFFSET, one.raw)) {
+                self.notes.push(not_back(one));
+            }
+        }
+        Ok(())
+    }
+
     /// Notes of which values only what is stored can be proven, because the drive does not show its RAM. What is stored as before
     /// may stand there otherwise all the same, because a load may have come so far and no further: it goes into the RAM unread.
     pub(super) fn note_hidden(&mut self, session: &Session<'_>, terms: &Terms<'_>, purpose: &Purpose) {
@@ -183,23 +208,48 @@ fn in_ram_of(step: &Step) -> Step {
     Step { set: step.set + DataSets::RAM_OFFSET, ..step.clone() }
 }
 
+/// That a value which stood in the RAM alone does not come back.
+fn not_back(one: &Setting) -> Text {
+    let Setting { param, set, raw, .. } = one;
+    both!(
+        "{label}@{set}: before the load the drive worked with {raw} (RAM alone), which does not come back; `antrieb write` with \
+         @{set}ram sets it",
+        "{label}@{set}: vor dem Laden arbeitete der Antrieb mit {raw} (nur im RAM), und das kommt nicht zurück; `antrieb write` \
+         mit @{set}ram setzt es",
+        label = param.label(),
+        raw = value_text(param, *raw)
+    )
+}
+
+/// What an undo file states.
+#[derive(Debug)]
+pub struct WayBack {
+    /// The old values.
+    pub steps: Vec<Step>,
+    /// The new ones from which they lead back.
+    pub from: Coming,
+    /// What stood in the RAM alone: it is only named.
+    pub in_ram_alone: Settings,
+}
+
 /// What was to come, by number and data set as on the wire.
 pub type Coming = BTreeMap<(u32, u8), i64>;
 
-/// The old values as steps, and the new ones from which they lead back.
+/// What a file says of the way back.
 ///
 /// # Errors
 /// The file is none that takes something back, or does not fit the family.
-pub fn steps_back(file: &ParamFile, family: &Family) -> Result<(Vec<Step>, Coming), Failure> {
+pub fn way_back(file: &ParamFile, family: &Family) -> Result<WayBack, Failure> {
     let Some((undo, coming)) = file.undo.as_ref().zip(file.coming(family)) else { return Err(no_undo_file(file)) };
     let old = file.settings(family).map_err(|fault| broken(&fault))?;
     let coming = coming.map_err(|fault| broken(&fault))?;
+    let in_ram_alone = file.in_ram_alone(family).map_err(|fault| broken(&fault))?;
     let wire = |set| undo.store.wire(set);
     let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind, at: None };
     let mut steps: Vec<Step> = old.iter().map(step).collect();
     steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
     let from = coming.iter().map(|it| ((it.param.id, wire(it.set)), it.raw)).collect();
-    Ok((steps, from))
+    Ok(WayBack { steps, from, in_ram_alone })
 }
 
 fn no_undo_file(file: &ParamFile) -> Failure {

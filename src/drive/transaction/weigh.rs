@@ -69,7 +69,7 @@ pub(super) fn weigh(
         (Ok(old), _) if is_hidden(old) || is_hidden(step.raw) => Err(job::no_width(&step.param)),
         (Ok(_), Purpose::Forward) => {
             let known = kind.ok_or_else(|| job::no_width(&step.param));
-            known.and_then(|kind| fits(step, Some(kind), (&target.family, session.own_address())))
+            known.and_then(|kind| allowed(step, Some(kind), (&target.family, session.own_address())))
         }
         (Ok(old), Purpose::Back(from)) => {
             let came = purpose.came(step);
@@ -80,7 +80,7 @@ pub(super) fn weigh(
         (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
     };
     job::tell(&mut row, kind.and_then(|kind| job::telegram(terms, &target.family, target.address, step, kind)));
-    let failure = verdict.err();
+    let failure = verdict.err().map(|failure| located(step, failure));
     if let Some(failure) = &failure {
         let is_unknown = failure.code == UNREAD;
         row.result = if is_unknown { WriteResult::Unrestored } else { WriteResult::Refused };
@@ -95,14 +95,24 @@ pub(super) fn weigh(
 /// # Errors
 /// What forbids it.
 pub fn fits(step: &Step, kind: Option<Type>, reached: (&Family, Option<Role>)) -> Result<(), Failure> {
-    let Step { param, raw, at, .. } = step;
+    allowed(step, kind, reached).map_err(|failure| located(step, failure))
+}
+
+/// The failure with the line of the file that it is about.
+fn located(step: &Step, failure: Failure) -> Failure {
+    let Some(at) = &step.at else { return failure };
+    Failure { message: both!("{at}: {why}", "{at}: {why}", why = failure.message), ..failure }
+}
+
+/// See [`fits`].
+fn allowed(step: &Step, kind: Option<Type>, reached: (&Family, Option<Role>)) -> Result<(), Failure> {
+    let Step { param, raw, .. } = step;
     let label = param.label();
-    let at = at.as_ref().map_or_else(String::new, |at| format!("{at}: "));
     keeps_line(param, reached)?;
     let wrong = |code: &str, error: value::ValueError| {
         let message = both!(
-            "{at}{label} ({called}): {why}",
-            "{at}{label} ({called}): {why}",
+            "{label} ({called}): {why}",
+            "{label} ({called}): {why}",
             called = param.called(),
             why = error.text()
         );
@@ -184,8 +194,9 @@ fn no_way_back(param: &Param, failure: Failure) -> Failure {
         why = failure.message
     );
     let hint = both!(
-        "is it the drive, and the module, that the file was made for? --except leaves parameters out",
-        "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except lässt Parameter weg"
+        "is it the drive, and the module, that the file was made for? --except {id} leaves it out",
+        "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except {id} lässt ihn weg",
+        id = param.id
     );
     Failure { message, ..failure }.hint(hint)
 }

@@ -31,7 +31,7 @@ pub(super) fn advice(text: &str, at: usize, error: &str) -> Option<Text> {
 /// What helps where a line has no value.
 pub(super) fn no_value() -> Text {
     both!(
-        "the value stands behind `=`; of what is in no line nothing is written",
-        "der Wert steht hinter `=`; wovon keine Zeile da ist, davon wird nichts geschrieben"
+        "write the value behind `=`, or take the line out: a parameter without a line is left as it is",
+        "den Wert hinter `=` schreiben oder die Zeile löschen: ein Parameter ohne Zeile bleibt, wie er ist"
     )
 }

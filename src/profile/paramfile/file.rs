@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
-/// Version of the format. Files of every earlier one stay readable.
-pub const VERSION: u32 = 1;
+/// Newest version of the format. Files of every earlier one stay readable.
+pub const VERSION: u32 = 2;
 
 /// A parameter file: whose settings it holds, and a line for each.
 #[derive(Clone, Debug)]
@@ -34,6 +34,8 @@ pub struct Undo {
     pub store: Store,
     /// What was to come, as it is written.
     pub lines: Vec<Line>,
+    /// What stood in the RAM alone, over what was stored: it is named, and not brought back.
+    pub ram: Vec<Line>,
 }
 
 /// A line of `[values]`, as it is written.

@@ -90,6 +90,10 @@ struct UndoTable {
     /// The new values, like the old ones.
     #[schemars(with = "BTreeMap<String, Scalar>")]
     values: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
+    /// What stood in the RAM alone, over what was stored. `antrieb dataset undo` names it and does not bring it back. Since version 2.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Scalar>")]
+    ram: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
 }
 
 /// Where the values of a transaction went.
@@ -174,7 +178,9 @@ impl ParamFile {
             not_held.into_iter().map(|(reason, list)| source.list(reason, list.0)).collect::<Result<_, _>>()?;
         let types = types.into_iter().map(|(key, kind)| source.kind(&key, kind)).collect::<Result<_, _>>()?;
         let lines = source.lines(&values)?;
-        let undo = undo.map(|undo| Ok(Undo { store: undo.memory.into(), lines: source.lines(&undo.values)? }));
+        let undo = undo.map(|UndoTable { memory, values, ram }| {
+            Ok(Undo { store: memory.into(), lines: source.lines(&values)?, ram: source.lines(&ram)? })
+        });
         let undo = undo.transpose()?;
         let head = Head { drive, saved, not_held, types, lang: Lang::En };
         Ok(ParamFile { path: source.path, head, family_at, lines, undo })
@@ -215,8 +221,8 @@ impl Source<'_> {
         let table = DeTable::parse(self.text).map_err(|error| self.toml(&error))?;
         let Some(stated) = table.get_ref().get("antrieb") else {
             let why = both!(
-                "this is no parameter file: expected `antrieb = {VERSION}` at its beginning",
-                "das ist keine Parameterdatei: erwartet wird `antrieb = {VERSION}` an ihrem Anfang"
+                "this is no parameter file: expected `antrieb = 1` at its beginning",
+                "das ist keine Parameterdatei: erwartet wird `antrieb = 1` an ihrem Anfang"
             );
             return Err(self.fault(0, why));
         };

@@ -1,6 +1,6 @@
 //! Writing a parameter file.
 
-use super::file::{Head, Provenance, SavedDrive, VERSION};
+use super::file::{Head, Provenance, SavedDrive};
 use super::settings::{Setting, Settings};
 use crate::profile::family::Family;
 use crate::profile::select::Store;
@@ -21,11 +21,21 @@ const TO_COME: &Text = &Text::new(
     "Was kommen sollte; `antrieb dataset undo` holt die Werte oben zurück.",
 );
 
+const IN_RAM: &Text = &Text::new(
+    "What stood in the RAM alone; `antrieb dataset undo` names it and does not bring it back.",
+    "Was nur im RAM stand; `antrieb dataset undo` nennt es und holt es nicht zurück.",
+);
+
 /// The text of a file with these settings: the same settings make the same text.
 pub fn print(head: &Head, settings: &Settings, family: &Family) -> String {
+    print_as(1, head, settings, family)
+}
+
+/// The same, as of a version of the format: the lowest that knows all of it, so that older programs read what they can.
+fn print_as(version: u32, head: &Head, settings: &Settings, family: &Family) -> String {
     let says = |comment: &Text| format!("# {}\n", comment.get(head.lang));
     let mut text = says(TITLE);
-    let _ = writeln!(text, "antrieb = {VERSION}\n\n[drive]");
+    let _ = writeln!(text, "antrieb = {version}\n\n[drive]");
     let SavedDrive { evidence, .. } = &head.drive;
     text.push_str(&table(&SavedDrive { evidence: Vec::new(), ..head.drive.clone() }));
     if !evidence.is_empty() {
@@ -54,13 +64,24 @@ pub fn print(head: &Head, settings: &Settings, family: &Family) -> String {
     text
 }
 
-/// The text of a file that takes a transaction back: what stood there, what was to come, and where.
-pub fn print_undo(head: &Head, old: &Settings, (new, store): (&Settings, Store), family: &Family) -> String {
-    let mut text = print(head, old, family);
+/// The text of a file that takes a transaction back: what stood there, what was to come, and where; and what stood in the `ram`
+/// alone.
+pub fn print_undo(
+    head: &Head,
+    old: &Settings,
+    (new, store): (&Settings, Store),
+    ram: &Settings,
+    family: &Family,
+) -> String {
+    let mut text = print_as(if ram.is_empty() { 1 } else { 2 }, head, old, family);
     let _ = write!(text, "\n# {}\n[undo]\n", TO_COME.get(head.lang));
     let memory = if store == Store::Ram { "ram" } else { "eeprom" };
     let _ = write!(text, "memory = \"{memory}\"\n\n[undo.values]\n");
     text.extend(new.iter().map(|setting| line(setting, family, head.lang)));
+    if !ram.is_empty() {
+        let _ = write!(text, "\n# {}\n[undo.ram]\n", IN_RAM.get(head.lang));
+        text.extend(ram.iter().map(|setting| line(setting, family, head.lang)));
+    }
     text
 }
 

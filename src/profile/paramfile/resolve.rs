@@ -29,6 +29,14 @@ impl ParamFile {
         self.undo.as_ref().map(|undo| self.resolved(&undo.lines, family))
     }
 
+    /// What stood in the RAM alone before a transaction; none where the file says nothing of it.
+    ///
+    /// # Errors
+    /// As [`ParamFile::settings`].
+    pub fn in_ram_alone(&self, family: &Family) -> Result<Settings, FileFault> {
+        self.resolved(self.undo.as_ref().map_or(&[], |undo| undo.ram.as_slice()), family)
+    }
+
     fn resolved(&self, lines: &[Line], family: &Family) -> Result<Settings, FileFault> {
         let mut settings = Settings::default();
         for line in lines {

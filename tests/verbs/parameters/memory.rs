@@ -190,7 +190,12 @@ fn nothing_is_written_to_a_drive_that_starts_on_the_way() {
                 // What was written stays in a drive that runs, and each value of it is named.
                 (9, Some("torn")) => {
                     assert!(has("unrestored") && !has("restored"), "{step}: {document:#}");
-                    assert!(document["error"]["message"].as_str().unwrap().contains("runs"), "{step}: {document:#}");
+                    let message = document["error"]["message"].as_str().unwrap();
+                    assert!(message.contains("runs"), "{step}: {document:#}");
+                    // The rows that say which values are as many.
+                    let count = rows.iter().filter(|row| row["result"] == "unrestored").count();
+                    let values = if count == 1 { "1 value may".to_owned() } else { format!("{count} values may") };
+                    assert!(message.contains(&values), "{step}: {document:#}");
                 }
                 other => panic!("{step}: {other:?} {document:#}"),
             }

@@ -42,11 +42,25 @@ fn an_undo_file_that_is_there_is_in_nobodys_way_where_nothing_is_to_be_written()
 }
 
 #[test]
-fn lines_of_two_data_sets_are_not_left_out_without_a_word() {
-    for pair in ["1 2", "2 2ram"] {
-        let refused = antrieb(&format!("-p sim -a 1 dataset diff {pair} --unified")).exits(2).err;
-        assert!(refused.contains("--unified shows lines of files"), "{refused}");
+fn two_data_sets_are_shown_as_lines() {
+    let bench = format!("{FRESH}set = {{ \"480@2\" = 6, \"480@2ram\" = 7 }}\n");
+    let told = |line: &str, code: u8| {
+        let shown = antrieb(&format!("-a 1 dataset diff {line} --unified")).on(&bench).exits(code).out;
+        shown.lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    for (pair, sides, values) in [
+        ("1 2", ["data set 1", "data set 2"], ["5.00 Hz", "6.00 Hz"]),
+        ("2 2ram 480-483", ["data set 2", "data set 2ram"], ["6.00 Hz", "7.00 Hz"]),
+    ] {
+        let lines = [("-", values[0]), ("+", values[1])]
+            .map(|(mark, value)| format!("{mark}\"480\" = \"{value}\"  # Fixed Frequency 1"));
+        let [a, b] = sides.map(|side| format!("drive 1, {side}"));
+        let expected =
+            [format!("--- {a}"), format!("+++ {b}"), "@@ @setpoints @@".into(), lines[0].clone(), lines[1].clone()];
+        assert_eq!(told(pair, 1), expected, "{pair}");
     }
+    told("3 4", 0);
+    told("1 2 --dry-run", 0);
 }
 
 #[test]
@@ -68,6 +82,27 @@ fn what_is_refused_of_a_file_is_named_with_its_line_and_column() {
     assert!(!sets.contains("5-9"), "{sets}");
 }
 
+/// Also what the drive alone knows; and four data sets in one line are one thing.
+#[test]
+fn what_is_in_the_way_is_counted_and_named_by_the_lines_of_the_files() {
+    let load = |more: &str, code: u8| {
+        let run = antrieb(&format!("-a 1 dataset load {{dir}}/f.toml {{dir}}/g.toml --yes {more}")).on(FRESH);
+        run.file("f.toml", &file("480 = 8")).file("g.toml", &file("481 = 9\n777 = 8")).exits(code).err
+    };
+    for (lang, hint) in [("en", "--except 777 leaves it out"), ("de", "--except 777 lässt ihn weg")] {
+        let unknown = load(&format!("--lang {lang}"), 6);
+        assert!(unknown.contains("g.toml:6:1: P.777") && unknown.contains(hint), "{unknown}");
+    }
+    load("--except 777", 0);
+    let cuts = on_file("-a 1 dataset load {dir}/f.toml --only 1376 --yes", &file("480 = 8\n1376 = 7")).exits(8).err;
+    assert!(cuts.contains("f.toml:6:1: P.1376"), "{cuts}");
+    for (values, more) in [("480 = 8\n412 = 99", None), ("\"412@1\" = 99\n\"412@2\" = 99", Some("; 1 more in the way"))]
+    {
+        let range = on_file("-a 1 dataset load {dir}/f.toml --yes", &file(values)).exits(7).err;
+        assert_eq!(range.contains("in the way"), more.is_some_and(|more| range.contains(more)), "{range}");
+    }
+}
+
 /// Slips of the hand, each with what helps.
 #[test]
 fn what_is_wrong_with_a_line_comes_with_what_would_be_right() {
@@ -75,8 +110,8 @@ fn what_is_wrong_with_a_line_comes_with_what_would_be_right() {
         ("\"480\" = 12,5", "f.toml:5:", "stands in quotes: \"480\" = \"12,5\""),
         ("480 = 12.50 Hz", "f.toml:5:", "stands in quotes: 480 = \"12.50 Hz\""),
         ("372 = 1400\n480 = 5\n480 = 6", "f.toml:7:1:", "line 6 has a value for it"),
-        ("480 =", "f.toml:5:", "of what is in no line nothing is written"),
-        ("480 = \"\"", "f.toml:5:", "of what is in no line nothing is written"),
+        ("480 =", "f.toml:5:", "write the value behind `=`, or take the line out"),
+        ("480 = \"\"", "f.toml:5:", "write the value behind `=`, or take the line out"),
     ] {
         for lang in ["en", "de"] {
             let line = format!("--lang {lang} -a 1 dataset load {{dir}}/f.toml --yes");

@@ -266,6 +266,36 @@ fn an_undo_says_which_ram_it_replaces() {
     assert!(document.err.contains("both are replaced"), "{}", document.err);
 }
 
+/// What stood in the RAM alone does not come back from a file that knows only what was stored: the file says so, and `undo` too.
+#[test]
+fn an_undo_names_what_stood_in_the_ram_alone() {
+    let bench = "[[drive]]\nmodel = \"act\"\nset = { \"480\" = 5, \"480@2ram\" = 7 }\n";
+    // Stored anew, and put into force by the load, beside something that is stored.
+    for values in ["480 = 8", "480 = 5\n481 = 9"] {
+        let loaded = load(bench, values, "").exits(0);
+        let left = loaded.text_of("f.undo.toml");
+        assert!(left.contains("\nantrieb = 2\n"), "{left}");
+        assert!(left.contains("[undo.ram]\n\"480@2\" = \"7.00 Hz\"  # fixed-frequency-1\n"), "{left}");
+        assert_eq!(cells([(480, 2, true)]), [Some(if values.contains("481") { 500 } else { 800 })]);
+        let asked = then(loaded, "-a 1 dataset undo {dir}/f.undo.toml").answered("y").exits(0);
+        let told = "P.480@2: before the load the drive worked with 7.00 Hz (RAM alone), which does not come back";
+        for what in [told, "write` with @2ram sets it"] {
+            assert_eq!(asked.err.matches(what).count(), 2, "asked and reported: {}", asked.err);
+        }
+        assert_eq!(cells([(480, 2, false), (480, 2, true)]), [Some(500), Some(500)]);
+        let again = then(asked, "-a 1 dataset undo {dir}/f.undo.toml --yes --lang de").json().exits(0);
+        assert!(again.warnings().contains(&"load.in_force"), "{:#}", again.value);
+        assert!(again.value["warnings"].to_string().contains("nur im RAM"), "{:#}", again.value);
+        let text = antrieb("-a 1 dataset undo {dir}/f.undo.toml --yes").on(bench).file("f.undo.toml", &left);
+        assert!(!text.exits(0).err.contains("does not come back"), "it stands there yet");
+    }
+    // Who has nothing more to say writes the first version, which older programs read.
+    let plain = load(FRESH, "480 = 8", "").exits(0).text_of("f.undo.toml");
+    assert!(plain.contains("\nantrieb = 1\n") && !plain.contains("undo.ram"), "{plain}");
+    let in_ram = load(bench, "480 = 8", "--ram").exits(0).text_of("f.undo.toml");
+    assert!(in_ram.contains("\"480@2\" = \"7.00 Hz\"") && !in_ram.contains("undo.ram"), "{in_ram}");
+}
+
 /// P.1376 is the address of Modbus, P.394 that of VABus (CM-485 manual 11.2): the one that is not spoken can be proven and taken back.
 #[test]
 fn which_address_cuts_the_line_depends_on_what_is_spoken() {
