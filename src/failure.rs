@@ -1,6 +1,6 @@
 //! Failures of the program: classified once, with a stable code, a message and a hint that can be acted on.
 
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, both};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
@@ -62,7 +62,11 @@ pub struct Failure {
     pub class: Class,
     /// Stable and dotted: `refused.unknown_parameter`.
     pub code: String,
-    /// What was expected and what came.
+    /// A shaft may still turn, which is said before anything else.
+    pub alarm: bool,
+    /// The address that is said before the message, where that does not name the drive itself.
+    pub of: Option<u8>,
+    /// What was expected and what came; [`Failure::told`] is all of it.
     pub message: Text,
     /// What to do next; boxed, because a failure is handed through many calls.
     pub hint: Option<Box<Text>>,
@@ -73,12 +77,32 @@ pub struct Failure {
 impl Failure {
     /// A failure without hint and context.
     pub fn new(class: Class, code: impl Into<String>, message: Text) -> Self {
-        Failure { class, code: code.into(), message, hint: None, context: Vec::new() }
+        Failure { class, code: code.into(), alarm: false, of: None, message, hint: None, context: Vec::new() }
     }
 
     /// A failure in the words of its causes, the outermost first: `antrieb.toml: the file exists already`.
     pub fn caused(class: Class, code: &str, cause: &anyhow::Error) -> Self {
         Failure::new(class, code, Text::quoted(format_args!("{cause:#}")))
+    }
+
+    /// The whole sentence: that a shaft may still turn, whose it is, what came.
+    pub fn told(&self) -> Text {
+        let said = self.said();
+        if self.alarm { Text::join([&may_turn(), &said], ": ") } else { said }
+    }
+
+    fn said(&self) -> Text {
+        let message = &self.message;
+        match self.of {
+            Some(address) => both!("address {address}: {message}", "Adresse {address}: {message}", message),
+            None => message.clone(),
+        }
+    }
+
+    /// The same within a longer sentence: `words` takes what was said so far, with whose it is.
+    #[must_use]
+    pub fn within(self, words: impl FnOnce(Text) -> Text) -> Self {
+        Failure { message: words(self.said()), of: None, ..self }
     }
 
     /// The same with something to do next.
@@ -110,10 +134,15 @@ impl Failure {
 /// The name of a drive's family among the facts for machines.
 const FAMILY: &str = "drive";
 
+/// What comes first where nothing proves that the shaft stands.
+pub fn may_turn() -> Text {
+    both!("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
+}
+
 /// For programs and their logs: in English.
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.message.get(Lang::En))
+        f.write_str(self.told().get(Lang::En))
     }
 }
 

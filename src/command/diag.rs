@@ -155,10 +155,10 @@ fn checked(failure: Option<Failure>, faulted: &str, unknown: &str) -> Option<Fai
                 true => Text::default(),
                 false => both!("; not known of address {unknown}", "; nicht bekannt von Adresse {unknown}"),
             };
-            let message =
-                both!("{message}{rest}; {why}", "{message}{rest}; {why}", message, rest, why = failure.message);
             let class = if is_over(&failure) { failure.class } else { Class::Partial };
-            Failure { class, message, ..failure }.with("faulted", faulted).with("unknown", unknown)
+            let said =
+                failure.within(|why| both!("{message}{rest}; {why}", "{message}{rest}; {why}", message, rest, why));
+            Failure { class, ..said }.with("faulted", faulted).with("unknown", unknown)
         }
     })
 }

@@ -385,7 +385,7 @@ async fn nudge(motor: &mut Motor<'_, '_>, wanted: &Wanted, raw: i64) -> Result<b
     motor.expects = wanted.expects(raw);
     match motor.give(&wanted.param, raw, wanted.param.unit.as_deref().unwrap_or("")).await {
         Err(failure) if failure.class == Class::Refused => {
-            motor.tell(failure.message);
+            motor.tell(failure.told());
             Ok(false)
         }
         given => given.map(|()| true),

@@ -13,14 +13,11 @@ pub fn summary(failures: Vec<Failure>, succeeded: usize) -> Option<Failure> {
     if succeeded == 0 {
         return Some(first);
     }
-    let message = both!(
-        "{count} of {succeeded} failed; the first: {why}",
-        "{count} von {succeeded} gescheitert; zuerst: {why}",
-        succeeded = count + succeeded,
-        why = first.message
-    );
-    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first };
-    Some(failure)
+    let of = count + succeeded;
+    let said = first.within(|why| {
+        both!("{count} of {of} failed; the first: {why}", "{count} von {of} gescheitert; zuerst: {why}", why)
+    });
+    Some(Failure { class: Class::Partial, code: "partial".to_owned(), ..said })
 }
 
 /// Whether a failure ends the session: the port is gone, or somebody pressed Ctrl-C.

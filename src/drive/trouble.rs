@@ -109,7 +109,8 @@ pub(super) fn never_silent(message: Text) -> Failure {
 /// What a station that was asked has not answered as it should.
 fn exchange(error: &ExchangeError, address: u8) -> Failure {
     let (class, code) = sorted(error, address);
-    let failure = advised(class, code, said(error, address));
+    let of = (class != Class::Usage).then_some(address);
+    let failure = Failure { of, ..advised(class, code, said(error, address)) };
     match error {
         ExchangeError::Garbled { bytes, .. } => failure.with("bytes", Hex(bytes)),
         ExchangeError::Stray { station } => failure.with("responder", station),
@@ -132,7 +133,7 @@ fn sorted(error: &ExchangeError, address: u8) -> (Class, &'static str) {
     }
 }
 
-/// In words: who, what came, and how often was asked where that tells something.
+/// In words: what came, and how often was asked where that tells something.
 fn said(error: &ExchangeError, address: u8) -> Text {
     let (what, asked) = match error {
         ExchangeError::Silence { timeout, asked } => {
@@ -178,8 +179,7 @@ fn said(error: &ExchangeError, address: u8) -> Text {
             return both!("a broadcast can only write", "an alle kann nur geschrieben werden");
         }
     };
-    let what = asked.map_or_else(|| what.clone(), |asked| Text::join([&what, &times(asked)], ", "));
-    both!("address {address}: {what}", "Adresse {address}: {what}", what)
+    asked.map_or_else(|| what.clone(), |asked| Text::join([&what, &times(asked)], ", "))
 }
 
 fn came_garbled(asked: impl Into<u64>, bytes: usize) -> Text {

@@ -281,7 +281,7 @@ impl From<&Failure> for ErrorDoc {
         ErrorDoc {
             class: failure.class,
             code: failure.code.clone(),
-            message: failure.message.clone(),
+            message: failure.told(),
             hint: failure.hint.as_deref().cloned(),
             exit: failure.class.exit(),
             context: failure.context.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect(),

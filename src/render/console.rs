@@ -163,7 +163,7 @@ impl Console {
 
     /// What went wrong, and what to do.
     pub fn failure(&self, failure: &Failure) {
-        self.labelled(ERROR, &failure.message);
+        self.labelled(ERROR, &failure.told());
         if let Some(hint) = &failure.hint {
             self.labelled(HINT, hint);
         }

@@ -312,7 +312,7 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
             LoadEnd::Torn => partial(first, "partial.torn", unlike(&why, places), by_undo(left, &kinds, is_lost)),
         }
     });
-    let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message });
+    let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.told() });
     warnings.extend(more);
     whole(report, plan, warnings, failure)
 }
@@ -381,7 +381,7 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
             Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first }
         }
     });
-    warnings.extend(failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message }));
+    warnings.extend(failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.told() }));
     whole(report, plan, warnings, failure).into()
 }
 

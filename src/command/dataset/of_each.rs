@@ -95,12 +95,13 @@ fn of_several(failures: Vec<(u8, Failure)>, named: usize) -> Option<Failure> {
         return summary(broken, good);
     }
     let (address, first) = failures.into_iter().next()?;
-    let message = both!(
-        "{count} of {named} drives; drive {address}: {why}",
-        "{count} von {named} Antrieben; Antrieb {address}: {why}",
-        why = first.message
-    );
-    Some(Failure { message, ..first })
+    Some(first.within(|why| {
+        both!(
+            "{count} of {named} drives; drive {address}: {why}",
+            "{count} von {named} Antrieben; Antrieb {address}: {why}",
+            why
+        )
+    }))
 }
 
 /// What is to be written to a drive.

@@ -295,8 +295,8 @@ fn unread(untold: usize, differ: usize, why: &Failure) -> Failure {
         1 => both!(", 1 differs", ", 1 ist verschieden"),
         _ => both!(", {differ} differ", ", {differ} sind verschieden"),
     };
-    let message = both!("{some}{others}; {why}", "{some}{others}; {why}", some, others, why = why.message);
-    Failure { class: Class::Partial, code: "partial.unread".to_owned(), message, ..why.clone() }
+    let said = why.clone().within(|why| both!("{some}{others}; {why}", "{some}{others}; {why}", some, others, why));
+    Failure { class: Class::Partial, code: "partial.unread".to_owned(), ..said }
 }
 
 fn differing(count: usize) -> Failure {

@@ -144,7 +144,7 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
                 "{name} is left out: {why}",
                 "{name} wird ausgelassen: {why}",
                 name = member.name,
-                why = why.message
+                why = why.told()
             ));
         }
         let Some(plan) = member.found.as_ref().filter(|_| member.is_due()).map(|found| &found.plan) else { continue };

@@ -185,18 +185,19 @@ pub(super) fn summary(
     let is_cause = |failure: &Failure| !["forbidden.atomic", "partial.taken_back"].contains(&failure.code.as_str());
     let cause = failures.iter().position(|(_, failure)| is_cause(failure));
     let (name, first) = failures.into_iter().nth(end.or(cause).unwrap_or(0))?;
-    let message = both!(
-        "{count} of {drives} drives {are} ({names}); {first_name}: {why}",
-        "{count} von {drives} Antrieben {are} ({names}); {first_name}: {why}",
-        are,
-        first_name = name,
-        why = first.message
-    );
-    let is_partial = end.is_none() && (is_torn || count < drives);
-    Some(match (drives, is_partial) {
-        (1, _) => Failure { message: both!("{name}: {why}", "{name}: {why}", why = first.message), ..first },
-        (_, true) => Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first },
-        (_, false) => Failure { message, ..first },
+    let named = first.within(|why| match drives {
+        1 => both!("{name}: {why}", "{name}: {why}", why),
+        _ => both!(
+            "{count} of {drives} drives {are} ({names}); {name}: {why}",
+            "{count} von {drives} Antrieben {are} ({names}); {name}: {why}",
+            are,
+            why
+        ),
+    });
+    let is_partial = drives > 1 && end.is_none() && (is_torn || count < drives);
+    Some(match is_partial {
+        true => Failure { class: Class::Partial, code: "partial".to_owned(), ..named },
+        false => named,
     })
 }
 
@@ -207,8 +208,7 @@ fn interrupted(failure: Failure) -> Failure {
         _ => Failure {
             class: Class::Interrupted,
             code: "interrupted".to_owned(),
-            message: both!("interrupted; {why}", "unterbrochen; {why}", why = failure.message),
-            ..failure
+            ..failure.within(|why| both!("interrupted; {why}", "unterbrochen; {why}", why))
         },
     }
 }

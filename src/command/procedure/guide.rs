@@ -88,7 +88,7 @@ impl Guide<'_> {
             return failure.map(|failure| self.goes_on(failure, turn));
         }
         row.result = if failure.is_some() { StepFate::Failed } else { StepFate::Done };
-        let error = failure.as_ref().map(|failure| failure.message.clone());
+        let error = failure.as_ref().map(Failure::told);
         let kept = self.keep(turn.step, row.result, &row.found, error);
         // What was done and could not be kept would be done again.
         failure.map(|failure| self.goes_on(failure, turn)).or(kept.err())

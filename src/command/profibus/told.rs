@@ -90,7 +90,7 @@ fn off() -> Text {
 
 fn beside(left: Failure, why: &Failure) -> Failure {
     let mut left = left;
-    left.message = Text::join([&left.message, &why.message], "; ");
+    left.message = Text::join([&left.message, &why.told()], "; ");
     left
 }
 

@@ -4,9 +4,9 @@
 use super::{Plan, asking};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::monitor;
-use crate::drive::motion::{Ended, Motor, Situation, Stays, Watched, look, may_turn};
+use crate::drive::motion::{Ended, Motor, Situation, Stays, Watched, look};
 use crate::drive::{EndedBy, Interrupt, Panel, Session, Target};
-use crate::failure::{Class, Failure};
+use crate::failure::{Class, Failure, may_turn};
 use crate::gate::{self, Permit};
 use crate::outcome::Event;
 use crate::text::{Text, both};
@@ -112,7 +112,7 @@ pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan
         false => may_turn(),
     };
     let told = match &ended.result {
-        Err(failure) if !is_interrupted => Text::join([&failure.message, &told], "; "),
+        Err(failure) if !is_interrupted => Text::join([&failure.told(), &told], "; "),
         _ => told,
     };
     motor.linger(interrupt, told, stays).await;

@@ -198,19 +198,15 @@ fn summed_up(failures: Vec<(Who, Failure)>, succeeded: usize) -> Option<Failure>
         true => failures.into_iter().next().map(partial),
         false => summary(failures, succeeded),
     };
-    summed.map(|failure| Failure { message, ..failure }.with("addresses", addresses))
+    summed.map(|failure| Failure { message, alarm: false, of: None, ..failure }.with("addresses", addresses))
 }
 
 /// What is told of a drive, with its name or address once.
 fn named(((called, address), failure): &(Who, Failure)) -> Text {
-    let again = both!("address {address}: ", "Adresse {address}: ", address);
-    let why = Text {
-        en: failure.message.en.replace(&*again.en, "").into(),
-        de: failure.message.de.replace(&*again.de, "").into(),
-    };
+    let why = Failure { of: None, ..failure.clone() }.told();
     match called {
         Some(called) => both!("{called}: {why}", "{called}: {why}", why),
-        None => both!("{again}{why}", "{again}{why}", again, why),
+        None => both!("address {address}: {why}", "Adresse {address}: {why}", why),
     }
 }
 

@@ -1,6 +1,5 @@
 //! What is said where a stop is not proven, or could not go out at all.
 
-use crate::drive::motion::may_turn;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::text::{Text, both};
@@ -33,9 +32,8 @@ fn no_stop() -> Text {
 
 /// The danger first, with what became of the stop, and what ends it before any other hint.
 fn warned(failure: Failure, told: &Text, hint: Text) -> Failure {
-    let mut failure = failure;
-    let turns = may_turn();
-    failure.message = both!("{turns}: {told}; {why}", "{turns}: {told}; {why}", turns, told, why = failure.message);
+    let message = both!("{told}; {why}", "{told}; {why}", told, why = failure.message);
+    let mut failure = Failure { alarm: true, message, ..failure };
     let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
     failure.hint(Text::join(&hints, "; "))
 }
@@ -108,7 +106,7 @@ mod tests {
     fn a_port_that_is_held_names_who_stops_the_drive_by_it() {
         let busy = Failure::new(Class::Port, "port.busy", Text::name("held")).hint(Text::name("close it"));
         let failure = unsent(busy);
-        assert!(failure.message.en.starts_with("THE SHAFT MAY STILL TURN: no stop was sent; held"), "{failure:?}");
+        assert!(failure.told().en.starts_with("THE SHAFT MAY STILL TURN: no stop was sent; held"), "{failure:?}");
         let hint = failure.hint.as_deref().map_or("", |hint| &*hint.en);
         assert!(hint.starts_with("Ctrl-C in the program that holds the port") && hint.ends_with("close it"), "{hint}");
         let other = Failure::new(Class::Usage, "usage.port", Text::name("which?"));

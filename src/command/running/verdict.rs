@@ -3,7 +3,7 @@
 use super::Plan;
 use super::done::{Done, Seen};
 use crate::args::StopArg;
-use crate::drive::motion::{Ended, Situation, has_power, may_turn, tripped};
+use crate::drive::motion::{Ended, Situation, has_power, tripped};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
@@ -129,7 +129,7 @@ fn is_off(stop: &Stop) -> bool {
 
 /// The danger first, and what ends it; why it came to that is for later.
 fn dangerous(failure: Failure, family: &Family) -> Failure {
-    if is_warned(&failure) {
+    if failure.alarm {
         return failure;
     }
     hinted(warned(failure), [Some(what_stops_it(family))])
@@ -137,15 +137,7 @@ fn dangerous(failure: Failure, family: &Family) -> Failure {
 
 /// The danger first.
 fn warned(failure: Failure) -> Failure {
-    let mut failure = failure;
-    if !is_warned(&failure) {
-        failure.message = Text::join([&may_turn(), &failure.message], ": ");
-    }
-    failure
-}
-
-fn is_warned(failure: &Failure) -> bool {
-    failure.message.en.starts_with(&*may_turn().en)
+    Failure { alarm: true, ..failure }
 }
 
 /// A failure with hints before the one that it has.

@@ -229,12 +229,14 @@ fn verdict(settings: &Settings, failures: Vec<Failure>, ports: usize, found_none
     if ports == 1 || count == ports {
         return Some(if sum.addresses > 0 { Failure { message: so_far, ..first } } else { first });
     }
-    let message = both!(
-        "{count} of {ports} ports failed; the first: {why}",
-        "{count} von {ports} Anschlüssen gescheitert; zuerst: {why}",
-        why = first.message
-    );
-    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
+    let said = first.within(|why| {
+        both!(
+            "{count} of {ports} ports failed; the first: {why}",
+            "{count} von {ports} Anschlüssen gescheitert; zuerst: {why}",
+            why
+        )
+    });
+    Some(Failure { class: Class::Partial, code: "partial".to_owned(), ..said })
 }
 
 /// The line belongs to somebody else.

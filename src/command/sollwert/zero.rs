@@ -4,12 +4,12 @@ use super::Args;
 use super::wanted::Wanted;
 use crate::args::below_zero::SIGN;
 use crate::command::running::Plan;
-use crate::drive::motion::{Situation, may_turn, role_raw, turns, zero_only_slows};
+use crate::drive::motion::{Situation, role_raw, turns, zero_only_slows};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::{Family, Mode};
-use crate::text::{Text, both};
+use crate::text::both;
 
 /// Whether a setpoint as it was typed is a zero, whatever its unit.
 pub(super) fn is_said(setpoint: &str) -> bool {
@@ -80,11 +80,8 @@ pub(super) async fn present_mode(session: &mut Session<'_>, target: &mut Target)
                 mode = mode.text()
             );
             // Whoever asked for a standstill must know that there is none.
-            let text = match turns(session, target).await? {
-                true => Text::join([&may_turn(), &text], ": "),
-                false => text,
-            };
-            Err(Failure::new(Class::Forbidden, "forbidden.mode", text).hint(both!(
+            let alarm = turns(session, target).await?;
+            Err(Failure { alarm, ..Failure::new(Class::Forbidden, "forbidden.mode", text) }.hint(both!(
                 "`antrieb statemachine quick-stop` stops it",
                 "`antrieb statemachine quick-stop` hält ihn an"
             )))

@@ -327,14 +327,15 @@ fn unproven(fate: &WriteFate, target: &Target, row: &Written) -> Option<Failure>
             )))
         }
         WriteFate::Unknown(error) => {
-            let mut failure = error.failure(address, Some(&target.family));
-            failure.message = both!(
-                "whether P.{param} was written is unknown: {why}",
-                "ob P.{param} geschrieben wurde, ist unbekannt: {why}",
-                param = row.param,
-                why = failure.message
-            );
-            Some(failure)
+            let failure = error.failure(address, Some(&target.family));
+            Some(failure.within(|why| {
+                both!(
+                    "whether P.{param} was written is unknown: {why}",
+                    "ob P.{param} geschrieben wurde, ist unbekannt: {why}",
+                    param = row.param,
+                    why
+                )
+            }))
         }
     }
 }

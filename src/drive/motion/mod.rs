@@ -36,7 +36,7 @@ pub use look::{
     working_raw,
 };
 pub use own::{Course, Own, Promise, Total, demand_as_shown};
-pub use relief::{PROOF, may_turn};
+pub use relief::PROOF;
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;

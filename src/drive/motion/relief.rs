@@ -6,7 +6,7 @@ use super::passing::Look;
 use super::still::{QUICK_STOP, STOPPED};
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
-use crate::failure::{Class, Failure};
+use crate::failure::{Class, Failure, may_turn};
 use crate::gate::Relief;
 use crate::profile::{Mode, Param, Takes, Transition};
 use crate::text::{Text, both};
@@ -20,11 +20,6 @@ pub(super) fn command_of(act: Relief) -> Option<&'static str> {
         Relief::DisableVoltage => Some("disable-voltage"),
         Relief::Zero => None,
     }
-}
-
-/// What comes first where nothing proves that the shaft stands.
-pub fn may_turn() -> Text {
-    both!("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
 }
 
 /// What is said as soon as it is known that nobody answers a stop.
@@ -310,7 +305,7 @@ impl Motor<'_, '_> {
         self.notes.push(both!(
             "seen without power {ago} ms before the end; not read after that: {why}",
             "{ago} ms vor dem Ende ohne Strom gesehen; danach nicht gelesen: {why}",
-            why = failure.message
+            why = failure.told()
         ));
     }
 
@@ -336,7 +331,7 @@ impl Motor<'_, '_> {
             why = failure.message
         );
         if ["operation-enabled", "quick-stop-active", "unknown"].contains(&seen.state.as_str()) {
-            failure.message = Text::join([&may_turn(), &failure.message], ": ");
+            failure.alarm = true;
         }
         failure.hint(both!(
             "its enable or start contact, its keypad or the mains stop it; --take-control takes it over for the run",

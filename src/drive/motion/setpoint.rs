@@ -345,7 +345,7 @@ impl Motor<'_, '_> {
         let taken = self.mode_in_force().await.is_some_and(|mode| mode != control.obeys);
         if taken {
             let failure = self.taken().await;
-            self.notes.push(failure.message);
+            self.notes.push(failure.told());
         }
         taken
     }

@@ -96,7 +96,7 @@ impl Motor<'_, '_> {
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
                 (Class::Refused, None) if tries >= STOP_TRIES => {
-                    self.notes.push(failure.message);
+                    self.notes.push(failure.told());
                     stop.standing = self.zero_as_the_last().await;
                     break;
                 }

@@ -1,9 +1,9 @@
 //! The drive's own watchdog: what feeds it, and in words what it does once nobody talks to the drive any more.
 
+use super::Motor;
 use super::look::{watchdog_seconds, working_raw};
-use super::{Motor, may_turn};
 use crate::drive::target::Target;
-use crate::failure::{Class, Failure};
+use crate::failure::{Class, Failure, may_turn};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
 use crate::profile::{Family, Param};

@@ -76,10 +76,10 @@ impl Harvest {
         }
         let missing =
             Text::count(count as u64, ["parameter is", "parameters are"], ["Parameter fehlt", "Parameter fehlen"]);
-        let message = both!("{missing} missing; {why}", "{missing}; {why}", missing, why = why.message);
         let ends = matches!(why.class, Class::Port | Class::Interrupted);
         let class = if ends { why.class } else { Class::Partial };
-        Some(Failure { class, message, ..why })
+        let told = |why| both!("{missing} missing; {why}", "{missing}; {why}", missing, why);
+        Some(Failure { class, ..why.within(told) })
     }
 
     /// Why parameters were not answered, or refused for a reason that says nothing of them.

@@ -109,7 +109,7 @@ fn runs_now(address: u8) -> Text {
 /// The failure with the place that it is about.
 fn of(step: &Step, failure: Failure) -> Failure {
     let place = place(step);
-    Failure { message: both!("{place}: {why}", "{place}: {why}", why = failure.message), ..failure }
+    failure.within(|why| both!("{place}: {why}", "{place}: {why}", why))
 }
 
 /// A transaction believes nothing that could not be read back.

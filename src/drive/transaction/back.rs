@@ -379,16 +379,15 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
         (Err(failure), row) => {
             let (label, in_ram) = (kept.param.label(), kept.set >= DataSets::RAM_OFFSET);
             let memory = if in_ram { "ram" } else { "eeprom" };
-            let failure = Failure {
-                message: both!(
+            let failure = failure.within(|why| {
+                both!(
                     "{label}@{set}{ram} may not be as before: {why}",
                     "{label}@{set}{ram} ist vielleicht nicht wie vorher: {why}",
                     set = kept.set % 5,
                     ram = if in_ram { "ram" } else { "" },
-                    why = failure.message
-                ),
-                ..failure
-            };
+                    why
+                )
+            });
             // It counts as the value of its row, whatever was asked when it failed.
             let set = own.and_then(|index| steps.get(index)).map_or(kept.set, |step| step.set);
             let mut failure = failure.with(STORE, memory).with(SET, set % DataSets::RAM_OFFSET);

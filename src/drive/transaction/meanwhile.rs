@@ -30,16 +30,16 @@ pub(super) async fn still_stands(session: &mut Session<'_>, plan: &mut Plan) -> 
     }
     let count = failures.len();
     let Some(first) = failures.into_iter().next() else { return Ok(()) };
-    let why = first.message.clone();
-    let message = match count {
-        1 => why,
-        _ => both!(
-            "{count} values were changed since they were asked about, the rows say which; {why}",
-            "{count} Werte wurden seit der Frage geändert, die Zeilen sagen welche; {why}",
-            why
-        ),
-    };
-    Err(Failure { message, ..first })
+    Err(match count {
+        1 => first,
+        _ => first.within(|why| {
+            both!(
+                "{count} values were changed since they were asked about, the rows say which; {why}",
+                "{count} Werte wurden seit der Frage geändert, die Zeilen sagen welche; {why}",
+                why
+            )
+        }),
+    })
 }
 
 /// Looks at one place right before it is written. Behind a value that changes others nobody knows which those are (P.30: no source

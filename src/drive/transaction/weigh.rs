@@ -187,29 +187,33 @@ fn unnamed(step: &Step, now: &str) -> Failure {
 
 /// What cannot be read cannot be put back, so it is not written.
 fn no_way_back(param: &Param, failure: Failure) -> Failure {
-    let message = both!(
-        "{label}: {why}; what cannot be read cannot be taken back",
-        "{label}: {why}; was sich nicht lesen lässt, lässt sich nicht zurücknehmen",
-        label = param.label(),
-        why = failure.message
-    );
+    let failure = failure.within(|why| {
+        both!(
+            "{label}: {why}; what cannot be read cannot be taken back",
+            "{label}: {why}; was sich nicht lesen lässt, lässt sich nicht zurücknehmen",
+            label = param.label(),
+            why
+        )
+    });
     let hint = both!(
         "is it the drive, and the module, that the file was made for? --except {id} leaves it out",
         "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except {id} lässt ihn weg",
         id = param.id
     );
-    Failure { message, ..failure }.hint(hint)
+    failure.hint(hint)
 }
 
 /// A value that cannot be read is not brought back: nobody could tell whether somebody has changed it since.
 fn not_told(param: &Param, failure: Failure) -> Failure {
-    let message = both!(
-        "{label} is left as it is, because it cannot be read: {why}",
-        "{label} bleibt, wie er ist, weil er sich nicht lesen lässt: {why}",
-        label = param.label(),
-        why = failure.message
-    );
-    Failure { message, code: UNREAD.to_owned(), ..failure }
+    let said = failure.within(|why| {
+        both!(
+            "{label} is left as it is, because it cannot be read: {why}",
+            "{label} bleibt, wie er ist, weil er sich nicht lesen lässt: {why}",
+            label = param.label(),
+            why
+        )
+    });
+    Failure { code: UNREAD.to_owned(), ..said }
 }
 
 pub(super) fn unread(param: &Param) -> Failure {

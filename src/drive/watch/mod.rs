@@ -265,7 +265,7 @@ impl Watch<'_> {
         let note = match (failure, station.silent) {
             (Some(failure), None) => {
                 station.silent = Some(now);
-                both!("{why} (going on)", "{why} (es geht weiter)", why = failure.message)
+                both!("{why} (going on)", "{why} (es geht weiter)", why = failure.told())
             }
             (None, Some(since)) => {
                 station.silent = None;

@@ -145,7 +145,7 @@ impl Watch<'_> {
             let change = self.port_change(session, Some(&failure));
             self.emit(session, Record::Lost(change));
             if reconnect {
-                let text = both!("{why}; waiting for it", "{why}; es wird darauf gewartet", why = failure.message);
+                let text = both!("{why}; waiting for it", "{why}; es wird darauf gewartet", why = failure.told());
                 session.tell(Event::Note(text));
             }
         }
@@ -172,7 +172,7 @@ impl Watch<'_> {
             session.tell(Event::Note(both!(
                 "{why}; waiting for the one that was lost",
                 "{why}; es wird auf den verlorenen gewartet",
-                why = failure.message
+                why = failure.told()
             )));
             self.lost = Some(failure);
         }

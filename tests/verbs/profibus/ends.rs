@@ -254,7 +254,7 @@ fn a_stop_that_is_not_obeyed_or_not_heard_says_that_the_shaft_may_turn() {
         let came = does(verb, &cut, Hand::default());
         assert_eq!(came.code(), ("silence.no_reply", 4), "{verb}: {:?}", came.failure());
         let failure = came.failure().unwrap();
-        assert!(failure.message.en.starts_with("THE SHAFT MAY STILL TURN: no stop was sent"), "{}", failure.message.en);
+        assert!(failure.told().en.starts_with("THE SHAFT MAY STILL TURN: no stop was sent"), "{}", failure.told().en);
         assert!(!came.stop().acknowledged, "{verb}");
     }
 }

@@ -2,7 +2,6 @@
 
 use super::super::mode::{Mode, Seen};
 use super::unproven;
-use crate::drive::motion::may_turn;
 use crate::failure::{Class, Failure};
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
@@ -191,11 +190,8 @@ pub(in crate::drive::profibus) fn scale(address: u8, hsw: u16, told: i64, maxima
 
 /// The line is dead while the motor was to be stopped.
 pub(in crate::drive::profibus) fn unreached(failure: Failure, mode: Mode, lost: Option<u32>) -> Failure {
-    let mut failure = failure;
-    let warned = may_turn();
-    failure.message = Text::join([&warned, &failure.message], ": ");
     let told = if mode.is_basic() { behind_basic() } else { behind(lost) };
-    failure.hint(both!(
+    Failure { alarm: true, ..failure }.hint(both!(
         "{told}; what stops it now: its terminals, the emergency stop, the mains",
         "{told}; was ihn jetzt anhält: seine Klemmen, der Not-Halt, das Netz",
         told
@@ -309,5 +305,5 @@ pub fn coasting(address: u8) -> Failure {
         "station {address}: its output is off, but nothing shows that the shaft stands (it was not seen on its way down)",
         "Station {address}: der Ausgang ist aus, aber nichts zeigt, dass die Welle steht (sie wurde nicht beim Auslaufen gesehen)"
     );
-    forbidden("forbidden.standstill_unproven", address, Text::join([&may_turn(), &message], ": "))
+    Failure { alarm: true, ..forbidden("forbidden.standstill_unproven", address, message) }
 }
