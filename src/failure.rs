@@ -125,6 +125,11 @@ impl Failure {
         self.with(FAMILY, drive)
     }
 
+    /// No valid answer came, which may be otherwise a moment later. A port that takes no bytes may take them again.
+    pub fn is_unheard(&self) -> bool {
+        matches!(self.class, Class::Silence | Class::Garbled) || self.code == STUCK
+    }
+
     /// The family that the drive was found to be of, or `unknown`.
     pub fn family(&self) -> &str {
         self.context.iter().find(|(key, _)| *key == FAMILY).map_or("unknown", |(_, family)| family)
@@ -133,6 +138,9 @@ impl Failure {
 
 /// The name of a drive's family among the facts for machines.
 const FAMILY: &str = "drive";
+
+/// The code of a port that takes no bytes.
+pub const STUCK: &str = "port.stuck";
 
 /// What comes first where nothing proves that the shaft stands.
 pub fn may_turn() -> Text {

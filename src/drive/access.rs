@@ -74,6 +74,11 @@ impl AccessError {
         matches!(self, AccessError::Link(_) | AccessError::Interrupted)
     }
 
+    /// Whether the port takes no bytes, which it may a moment later.
+    pub fn is_stuck(&self) -> bool {
+        matches!(self, AccessError::Link(LinkError::Stuck(_)))
+    }
+
     /// Whether the value is not the same in all data sets, so that set 0 has none.
     pub fn sets_differ(&self) -> bool {
         matches!(self, AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. }))

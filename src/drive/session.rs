@@ -24,6 +24,7 @@ use crate::text::both;
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, Port, Wake};
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 mod beside;
@@ -65,6 +66,8 @@ pub struct Session<'a> {
     listens: bool,
     /// Why the last question brought no answer, if it brought none.
     unanswered: Option<ExchangeError>,
+    /// Stations of which more than one answer came to one question.
+    twins: BTreeSet<u8>,
     /// What is told where nobody answers for long.
     warns: Option<unanswered::Warns>,
     /// What is heard on a CAN bus, whomever it is for.
@@ -139,6 +142,7 @@ impl<'a> Session<'a> {
             since: None,
             listens: false,
             unanswered: None,
+            twins: BTreeSet::new(),
             warns: None,
             heard: None,
             ears: None,
@@ -246,6 +250,9 @@ impl<'a> Session<'a> {
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             self.heeds(matches!(outcome, Ok(Ok(_))));
+            if matches!(outcome, Ok(Err(ExchangeError::TwoAnswers { .. }))) {
+                self.twins.insert(station);
+            }
             match outcome {
                 Err(PumpError::TimeUp(error)) => {
                     return Err(self.unanswered.clone().unwrap_or(error.behind(asked)).into());
@@ -404,6 +411,11 @@ impl<'a> Session<'a> {
     /// Whether a drive has answered one question in two ways: most likely they are two with one address.
     pub fn differs(&self, address: u8) -> bool {
         self.line.borrow().master.differs(address)
+    }
+
+    /// Whether more than one answer came from an address to one question since this line was opened.
+    pub(super) fn answered_twice(&self, address: u8) -> bool {
+        self.twins.contains(&address)
     }
 
     /// Counts of what happened on the line.

@@ -125,6 +125,11 @@ impl Bench {
         Some(parting)
     }
 
+    /// Until when the port of the master takes no bytes.
+    pub fn stuck_until(&self) -> Tick {
+        self.disturber.stuck_until()
+    }
+
     /// What the judge noted about the master, the first thousand.
     pub fn remarks(&self) -> &[Remark] {
         self.judge.remarks()

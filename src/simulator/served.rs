@@ -29,6 +29,11 @@ pub trait Served {
         None
     }
 
+    /// Until when the port of the master takes no bytes.
+    fn stuck_until(&self) -> Tick {
+        Tick::ZERO
+    }
+
     /// The setting at which a telegram is meant, for a line that carries none.
     fn line_of(&self, bytes: &[u8]) -> Option<LineSetting>;
 
@@ -61,6 +66,10 @@ impl Served for Bench {
 
     fn hangs_up(&mut self) -> Option<Parting> {
         Bench::hangs_up(self)
+    }
+
+    fn stuck_until(&self) -> Tick {
+        Bench::stuck_until(self)
     }
 
     fn line_of(&self, bytes: &[u8]) -> Option<LineSetting> {

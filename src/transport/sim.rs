@@ -6,7 +6,7 @@
 use super::{LinkError, Wake};
 use crate::protocol::line::LineSetting;
 use crate::simulator::{Bench, Can, Profibus, Served};
-use crate::tick::Tick;
+use crate::tick::{Span, Tick};
 use std::time::{Duration, Instant};
 
 #[derive(Debug)]
@@ -48,6 +48,9 @@ struct Pace {
 
 /// The bench may be so much ahead of the wall clock: a sleep for every character would only cost.
 const AHEAD: Duration = Duration::from_millis(2);
+
+/// A telegram that was not taken for so long is given up.
+const STUCK: Span = Span::from_millis(500);
 
 impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
@@ -111,6 +114,11 @@ impl SimLink {
     pub(super) fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
         witness::holds_adapter(true, &mut self.is_pulled)?;
         self.is_connected()?;
+        let (free, gives_up) = (self.bus.served().stuck_until(), self.now + STUCK);
+        self.now = self.now.max(free.min(gives_up));
+        if free > gives_up {
+            return Err(LinkError::Stuck("sim".to_owned()));
+        }
         self.bus.served().master_sends(self.now, self.line, bytes);
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use super::Plan;
 use crate::drive::motion::{Situation, Unseen};
+use crate::failure::Failure;
 use crate::text::Text;
 
 /// What a run leaves in its motor.
@@ -23,12 +24,14 @@ pub(super) struct Done {
     pub(super) instead: Option<Text>,
     /// One question was answered in two ways.
     pub(super) differs: bool,
+    /// More than one answer came to one question.
+    pub(super) twins: Option<Failure>,
 }
 
 impl Done {
-    /// Whether what was told of a drive that was to stop may be that of another one with its address.
+    /// Whether what was told at the end may be that of another one with its address.
     pub(super) fn is_doubled(&self, plan: &Plan<'_>) -> bool {
-        self.differs && plan.aim.is_some()
+        self.twins.is_some() || (self.differs && plan.aim.is_some())
     }
 }
 

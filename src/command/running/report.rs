@@ -5,7 +5,7 @@ use super::{Plan, nothing_stops_it, verdict};
 use crate::drive::motion::{Ended, Motor, Situation, coasting, watchdog_words};
 use crate::drive::{Target, describe};
 use crate::gate::Relief;
-use crate::outcome::{Data, Motion, Outcome};
+use crate::outcome::{Data, Motion, Outcome, Stop};
 use crate::text::{Text, both};
 
 /// How often a drive that could not be reached for its stop may come back.
@@ -48,6 +48,7 @@ pub(super) async fn aftermath(
         mode: motor.mode.take().map(|mode| mode.slug),
         instead: motor.instead.take(),
         differs: motor.differs(),
+        twins: motor.twins(),
     };
     (done, after)
 }
@@ -77,6 +78,8 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
     let failure = verdict::of(plan, family, &seen, &ended, running, &done);
     // Nothing is told of one drive that may be of another.
     let is_doubled = failure.is_some() && done.is_doubled(plan);
+    let unproven = |stop| Stop { acknowledged: false, standing: None, state: None, ..stop };
+    let stop = if is_doubled { ended.stop.map(unproven) } else { ended.stop };
     let data = Motion {
         address: target.address,
         drive: family.drive.clone(),
@@ -88,7 +91,7 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
         setpoint: done.setpoint,
         changed: done.changed,
         watchdog_s,
-        stop: ended.stop,
+        stop,
         running: running.filter(|_| !is_doubled),
         standing: done.standing.filter(|_| !is_doubled),
         idle: done.idle,

@@ -149,7 +149,7 @@ async fn stop_one<'p, C>(
 
 /// Whether a drive was not heard at all.
 fn is_unheard(came: &Came) -> bool {
-    came.as_ref().is_err_and(|failure| matches!(failure.class, Class::Silence | Class::Garbled))
+    came.as_ref().is_err_and(|failure| failure.is_unheard())
 }
 
 /// Nobody is asked for several drives at once.

@@ -45,6 +45,7 @@ pub(super) fn of(
             .or_else(|| not_standing(plan, family, done.setpoint.as_ref()))
             .or_else(|| not_given_back(plan, &done.changed)),
     };
+    let failure = failure.or_else(|| done.twins.clone());
     // Of two drives only one was told of, whichever it was.
     if done.is_doubled(plan) { failure.map(|failure| dangerous(failure, family)) } else { failure }
 }

@@ -32,7 +32,7 @@ impl Motor<'_, '_> {
         let over = self.session.is_over();
         self.session.end_at(None);
         match held {
-            Err(failure) if over && matches!(failure.class, Class::Silence | Class::Garbled) => {
+            Err(failure) if over && failure.is_unheard() => {
                 self.notes_late_end(begun, duration);
                 Ok(())
             }
@@ -73,7 +73,7 @@ impl Motor<'_, '_> {
             let cut = self.session.is_over() && now.since(looked) < patience;
             self.session.end_at(end);
             match seen {
-                Err(failure) if cut && matches!(failure.class, Class::Silence | Class::Garbled) => continue,
+                Err(failure) if cut && failure.is_unheard() => continue,
                 seen => seen?,
             };
             looked = self.shown.map_or(now, |(_, at)| at);

@@ -2,7 +2,7 @@
 
 use super::shaft::Watch;
 use super::{Motor, look};
-use crate::failure::{Class, Failure};
+use crate::failure::Failure;
 use crate::outcome::State;
 use crate::profile::Takes;
 use crate::tick::{Span, Tick};
@@ -92,7 +92,7 @@ impl Motor<'_, '_> {
         let begun = self.session.now();
         loop {
             let failure = match ask(self).await {
-                Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) => failure,
+                Err(failure) if failure.is_unheard() => failure,
                 done => return done,
             };
             if self.session.now().since(begun) >= self.margin() || self.session.is_over() {

@@ -6,6 +6,7 @@ use super::passing::Look;
 use super::still::{QUICK_STOP, STOPPED};
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
+use crate::exchange::ExchangeError;
 use crate::failure::{Class, Failure, may_turn};
 use crate::gate::Relief;
 use crate::profile::{Mode, Param, Takes, Transition};
@@ -87,7 +88,7 @@ impl Motor<'_, '_> {
         self.session.insist(true);
         self.session.warns(unanswered());
         match self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await {
-            Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {
+            Err(failure) if self.is_off() && failure.is_unheard() => {
                 self.tell_lost(&failure);
                 Ok(())
             }
@@ -126,7 +127,7 @@ impl Motor<'_, '_> {
             let begun = self.session.now();
             match work(self).await {
                 Err(failure)
-                    if matches!(failure.class, Class::Silence | Class::Garbled)
+                    if failure.is_unheard()
                         && tries < TRIES
                         && self.heard > begun
                         && !self.is_off()
@@ -233,7 +234,9 @@ impl Motor<'_, '_> {
                 self.first_seen.get_or_insert_with(|| seen.clone());
                 Ok(Some(seen))
             }
-            Err(failure) if matches!(failure.class, Class::Interrupted | Class::Port) => Err(failure),
+            Err(failure) if matches!(failure.class, Class::Interrupted | Class::Port) && !failure.is_unheard() => {
+                Err(failure)
+            }
             Err(_) => Ok(None),
         }
     }
@@ -290,6 +293,13 @@ impl Motor<'_, '_> {
     /// Whether one question was answered in two ways: most likely by two drives with one address.
     pub fn differs(&self) -> bool {
         self.session.differs(self.target.address)
+    }
+
+    /// That more than one answer came to one question: what was proven may be of one drive, and another one runs.
+    pub fn twins(&self) -> Option<Failure> {
+        let station = self.target.address;
+        let two = self.session.answered_twice(station);
+        two.then(|| self.failure(&ExchangeError::TwoAnswers { station }.into()))
     }
 
     /// Whether the drive was seen without power at the last look since its stop began.

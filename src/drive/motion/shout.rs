@@ -198,6 +198,8 @@ pub struct Call<'m> {
     /// How often something was said, and when that began.
     said: usize,
     begun: Option<Tick>,
+    /// When that was tried first.
+    tried: Option<Tick>,
     /// When it was asked who it is, if it has not told in time.
     asked: Option<Tick>,
     /// Its answers come, and late.
@@ -223,6 +225,7 @@ impl<'m> Call<'m> {
             words: VecDeque::new(),
             said: 0,
             begun: None,
+            tried: None,
             asked: None,
             slow: false,
             first: FirstWord::default(),
@@ -254,9 +257,11 @@ impl<'m> Call<'m> {
         if self.ended.is_some() {
             return false;
         }
+        let tried = *self.tried.get_or_insert(session.now());
         let turn = async |session: &mut Session<'_>| self.turn(session, registry).await;
         match at_once(session, turn).await {
             Ok(pressed) => pressed,
+            Err(error) if error.is_stuck() && session.now().since(tried) < SHOUTING => false,
             Err(error) => {
                 self.ended = Some(Err(error));
                 false
@@ -394,7 +399,10 @@ impl<'m> Call<'m> {
                 // Who is busy may take it a moment later.
                 Some(no) => self.refused |= !no.passes(),
             },
-            Err(error) if error.is_fatal() => return Err(error),
+            Err(error) if error.is_fatal() => {
+                self.words.push_front((family, word));
+                return Err(error);
+            }
             _ => {}
         }
         self.words.push_back((family, word));

@@ -90,23 +90,23 @@ impl Motor<'_, '_> {
                     (hurry, stop.because) = (true, "interrupted");
                     self.hurries();
                 }
-                // A gateway that has closed its connection may take another one.
-                (Class::Port, _) if std::mem::take(&mut again) && self.session.reopen().await.is_ok() => {}
-                (Class::Port, _) => break,
-                (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
-                (Class::Refused, None) if tries >= STOP_TRIES => {
-                    self.notes.push(failure.told());
-                    stop.standing = self.zero_as_the_last().await;
-                    break;
-                }
-                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
-                    let given_up = self.gives_up(begun).await;
+                _ if failure.is_unheard() => {
+                    let given_up = tries >= STOP_TRIES && self.gives_up(begun).await;
                     // Who has just answered was reached, and does not obey.
                     self.unheard = given_up && self.session.now().since(self.heard) >= UNHEARD;
                     if given_up {
                         break;
                     }
+                }
+                // A gateway that has closed its connection may take another one.
+                (Class::Port, _) if std::mem::take(&mut again) && self.session.reopen().await.is_ok() => {}
+                (Class::Port, _) => break,
+                (Class::Forbidden, _) if self.lever == Lever::Taken => break,
+                (Class::Refused, None) if tries >= STOP_TRIES => {
+                    self.notes.push(failure.told());
+                    stop.standing = self.zero_as_the_last().await;
+                    break;
                 }
                 // Nor does it help to wait on where answers come, and the strongest stop is not obeyed.
                 (Class::Forbidden, None)
@@ -333,7 +333,7 @@ impl Motor<'_, '_> {
                 failed => failed,
             };
             match ramped {
-                Err(failure) if last && matches!(failure.class, Class::Silence | Class::Garbled) => {}
+                Err(failure) if last && failure.is_unheard() => {}
                 ramped => ramped?,
             }
         }
@@ -345,7 +345,7 @@ impl Motor<'_, '_> {
         if row.zero {
             match self.ramp_down().await {
                 // On a line without answers the commands must go out all the same, in the end.
-                Err(failure) if last && matches!(failure.class, Class::Silence | Class::Garbled) => {}
+                Err(failure) if last && failure.is_unheard() => {}
                 ramped => ramped?,
             }
         }

@@ -268,7 +268,7 @@ impl Motor<'_, '_> {
 
     /// No valid answer came: whoever watches sees a gap, and its length, in place of what was before it.
     pub(super) fn misses(&mut self, failure: &Failure) {
-        if matches!(failure.class, Class::Silence | Class::Garbled) {
+        if failure.is_unheard() {
             self.watched.iter_mut().for_each(|shown| shown.silent = true);
             self.samples(None, Vec::new(), Some(ErrorDoc::from(failure)));
         }

@@ -1,7 +1,7 @@
 //! A port that cannot be used: what is wrong with it, and its code.
 
 use super::advice::advised;
-use crate::failure::{Class, Failure};
+use crate::failure::{Class, Failure, STUCK};
 use crate::protocol::modbus::Hex;
 use crate::text::{Text, both};
 use crate::transport::{LinkError, list_ports};
@@ -66,7 +66,7 @@ fn code(error: &LinkError) -> &'static str {
         LinkError::Unreachable { .. } => "port.unreachable",
         LinkError::Recording { .. } => "data.recording",
         LinkError::OffTape { .. } => "port.recording",
-        LinkError::Stuck(_) => "port.stuck",
+        LinkError::Stuck(_) => STUCK,
         LinkError::Stranger { .. } => "port.stranger",
         LinkError::Lost(_) => "port.lost",
         #[cfg(target_os = "linux")]

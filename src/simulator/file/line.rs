@@ -69,16 +69,15 @@ impl BenchFile<'_> {
             ("twin", Kind::Twin(row.by.as_ref().map_or(TWIN_PAUSE, |_| by))),
             ("hang-up", Kind::HangsUp(Parting::Closed)),
             ("reset", Kind::HangsUp(Parting::Reset)),
+            ("stuck", Kind::Stuck(by)),
         ];
         let kind = self.word("kind", &row.kind, &kinds)?;
-        if let Some(by) = row
-            .by
-            .as_ref()
-            .filter(|_| !matches!(kind, Kind::Late(_) | Kind::Echo(_) | Kind::Doubled(_) | Kind::Twin(_)))
-        {
+        if let Some(by) = row.by.as_ref().filter(|_| {
+            !matches!(kind, Kind::Late(_) | Kind::Echo(_) | Kind::Doubled(_) | Kind::Twin(_) | Kind::Stuck(_))
+        }) {
             let message = both!(
-                "by goes only with kind = \"late\", \"echo\", \"doubled\", \"twin\" or \"babble\"",
-                "by gehört nur zu kind = \"late\", \"echo\", \"doubled\", \"twin\" oder \"babble\""
+                "by goes only with kind = \"late\", \"echo\", \"doubled\", \"twin\", \"stuck\" or \"babble\"",
+                "by gehört nur zu kind = \"late\", \"echo\", \"doubled\", \"twin\", \"stuck\" oder \"babble\""
             );
             return Err(self.error(by.span(), message));
         }

@@ -33,6 +33,8 @@ pub(crate) enum Kind {
     Twin(Span),
     /// The device server between ends the connection, and the reply goes nowhere. It takes a new one at once.
     HangsUp(Parting),
+    /// Behind this reply the master's port takes no bytes for so long.
+    Stuck(Span),
 }
 
 /// How a connection over a network ends.
@@ -104,16 +106,23 @@ pub(crate) struct Disturber {
     dice: Dice,
     /// The connection was ended, which nobody was told yet.
     hung_up: Option<Parting>,
+    /// The master's port takes no bytes until then.
+    stuck_until: Tick,
 }
 
 impl Disturber {
     pub(crate) fn new(rules: Vec<Rule>, echo: bool, seed: u64) -> Self {
-        Disturber { rules, echo, babblers: Vec::new(), dice: Dice::new(seed), hung_up: None }
+        Disturber { rules, echo, babblers: Vec::new(), dice: Dice::new(seed), hung_up: None, stuck_until: Tick::ZERO }
     }
 
     /// Whether the connection was ended since this was asked last, and how.
     pub(crate) fn hangs_up(&mut self) -> Option<Parting> {
         self.hung_up.take()
+    }
+
+    /// Until when the master's port takes no bytes, if it was stuck once.
+    pub(crate) fn stuck_until(&self) -> Tick {
+        self.stuck_until
     }
 
     /// When somebody speaks next unasked.
@@ -178,6 +187,7 @@ impl Disturber {
                     out.clear();
                     self.hung_up = Some(parting);
                 }
+                Kind::Stuck(span) => self.stuck_until = now + span,
                 Kind::Echo(_) => {}
             }
         }

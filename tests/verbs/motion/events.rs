@@ -103,6 +103,35 @@ fn a_connection_that_ends_while_the_other_side_listens_is_made_once_more_for_the
 }
 
 #[test]
+fn a_port_that_takes_bytes_again_takes_the_stop() {
+    let set = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n";
+    let servo = "[[drive]]\nmodel = \"lxm05\"\n";
+    let drives = [(set, "10Hz"), (servo, "300rpm")];
+    for by in ["300ms", "2600ms", "3s", "3500ms", "4s"] {
+        for way in ["ramp", "quick-stop", "coast"] {
+            for (drive, setpoint) in drives {
+                let bench = format!("{drive}[[disturb]]\nat = \"1s\"\nkind = \"stuck\"\nby = \"{by}\"\n");
+                let line = format!("-v -a 1 --yes sollwert {setpoint} --enable --hold --duration 1s --on-exit {way}");
+                let run = antrieb(&line).on(&bench).json();
+                let told = format!("{by} {way} {setpoint}: {:#} {}", run.value, run.err);
+                assert_eq!((left(), run.data("/stop/acknowledged")), ((0, 0), &json!(true)), "{told}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_port_that_takes_no_bytes_for_a_while_keeps_no_act_that_stops_from_its_drive() {
+    for verb in ["statemachine quick-stop", "statemachine disable", "sollwert 0"] {
+        for by in ["400ms", "1s", "2s"] {
+            let stuck = format!("[[disturb]]\nonce = 1\nkind = \"stuck\"\nby = \"{by}\"");
+            let run = later(&format!("-b 115200 -a 1 {verb}"), &drive(RUNNING, &stuck), 8_000);
+            assert_eq!(left().0, 0, "{verb} {by}: {}", run.err);
+        }
+    }
+}
+
+#[test]
 fn another_mode_in_the_run_ends_it_whoever_set_it() {
     for set in ["DCOMopmode = -2, GEARreference = 1", "DCOMopmode = 1"] {
         for after in [40, 55, 70] {
@@ -290,6 +319,31 @@ fn a_write_that_changes_what_a_drive_runs_at_names_it() {
     }
     let german = antrieb("--lang de -b 115200 -a 1 write 484=-20Hz").on(&drive(RUNNING, "")).answered("n").exits(8);
     assert!(german.err.contains("danach läuft er freigegeben mit -20.00 Hz"), "{}", german.err);
+}
+
+#[test]
+fn a_second_drive_that_begins_to_answer_in_the_run_leaves_nothing_proven() {
+    let mut two = 0;
+    let set = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
+    for by in [5, 30, 100] {
+        for way in ["ramp", "coast"] {
+            let twins = |once| format!("[[disturb]]\nonce = {once}\nkind = \"twin\"\nby = \"{by}ms\"\n");
+            let bench = drive(set, &(60..400).map(twins).collect::<String>());
+            let line = format!("-b 115200 -a 1 --yes sollwert 10Hz --enable --hold --duration 2s --on-exit {way}");
+            let run = antrieb(&line).on(&bench).json();
+            let told = format!("{by} {way}: {:#} {}", run.value, run.err);
+            if !run.err.contains("answered in two ways") && !told.contains("more than one answer") {
+                continue;
+            }
+            two += 1;
+            assert!([5, 8].contains(&run.exit) && run.err.contains("error: THE SHAFT MAY STILL TURN"), "{told}");
+            for place in ["/running", "/standing", "/stop/standing"] {
+                assert!(run.value.pointer(&format!("/data{place}")).is_none_or(serde_json::Value::is_null), "{told}");
+            }
+            assert_eq!(run.data("/stop/acknowledged"), &json!(false), "{told}");
+        }
+    }
+    assert!(two > 0);
 }
 
 /// Of two drives with one address only one is told of at a time.

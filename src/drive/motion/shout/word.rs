@@ -8,7 +8,6 @@ use crate::drive::route::{Cell, Inquiry, Meant};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::exchange::Question;
-use crate::failure::Class;
 use crate::gate::Relief;
 use crate::outcome::Event;
 use crate::profile::{Control, DataSets, Family, Param, Sets, Type};
@@ -104,7 +103,7 @@ async fn asked(
     let patient = session.patient();
     let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set).await {
-            Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < by => {}
+            Err(failure) if failure.is_unheard() && session.now() < by => {}
             told => break in_short(told),
         }
         session.rest(PAUSE).await?;

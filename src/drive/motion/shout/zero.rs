@@ -163,7 +163,7 @@ async fn repeat(
                 match answer {
                     Ok(Answer::Reply { said, .. }) if no(&said).is_none() => continue,
                     Ok(Answer::Reply { .. }) => refused = true,
-                    Err(error) if error.is_fatal() => return Err(error),
+                    Err(error) if error.is_fatal() && !error.is_stuck() => return Err(error),
                     _ => {}
                 }
                 words.push(word);
