@@ -103,7 +103,7 @@ fn three_presses_end_a_held_run_on_a_dead_line_whatever_its_time_out() {
             println!("{timeout} {dead}: {took} ms behind the third");
             assert!(took < 16_000.0, "{took} {told}");
             let failure = seen.failure.unwrap();
-            assert!(failure.message.en.starts_with("THE SHAFT MAY STILL TURN"), "{failure:?}");
+            assert!(failure.told().en.starts_with("THE SHAFT MAY STILL TURN"), "{failure:?}");
         }
     }
 }

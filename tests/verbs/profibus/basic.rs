@@ -273,7 +273,7 @@ fn a_slave_that_is_lost_is_stopped_by_itself_or_by_us() {
                 continue;
             }
             let failure = came.failure().unwrap();
-            assert!(failure.message.en.starts_with("THE SHAFT MAY STILL TURN"), "{what}");
+            assert!(failure.told().en.starts_with("THE SHAFT MAY STILL TURN"), "{what}");
             assert!(failure.hint.as_ref().unwrap().en.contains("P.620"), "{what}");
             assert_eq!(came.later()[0] == 0, kept == 0 || readings.contains("conn-sta"), "{what}");
         }
@@ -292,7 +292,7 @@ fn a_port_that_is_lost_at_any_telegram_leaves_no_shaft_turning() {
         witness::pull_after(None);
         assert_eq!(came.code().1, 3, "{telegrams}: {:?}", came.failure());
         assert_eq!(came.later(), [0, 0], "{telegrams}");
-        let warned = came.failure().unwrap().message.en.starts_with("THE SHAFT MAY STILL TURN");
+        let warned = came.failure().unwrap().told().en.starts_with("THE SHAFT MAY STILL TURN");
         assert!(warned || !(start + 1..dark).contains(&telegrams), "{telegrams} of {all}: {:?}", came.failure());
     }
 }

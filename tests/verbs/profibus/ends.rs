@@ -307,7 +307,7 @@ fn a_slave_that_is_lost_is_stopped_by_itself_or_by_us() {
                         came.holds(&what);
                         continue;
                     }
-                    let message = &came.failure().unwrap().message.en;
+                    let message = &came.failure().unwrap().told().en;
                     assert!(message.starts_with("THE SHAFT MAY STILL TURN"), "{message}");
                     let hint = &came.failure().unwrap().hint.as_ref().unwrap().en;
                     let stands = came.later()[0] == 0;
@@ -333,7 +333,7 @@ fn a_port_that_is_lost_at_any_telegram_leaves_no_shaft_turning() {
         witness::pull_after(None);
         assert_eq!(came.code().1, 3, "{telegrams}: {:?}", came.failure());
         assert_eq!(came.later(), [0, 0], "{telegrams}");
-        let warned = came.failure().unwrap().message.en.starts_with("THE SHAFT MAY STILL TURN");
+        let warned = came.failure().unwrap().told().en.starts_with("THE SHAFT MAY STILL TURN");
         assert!(warned || !(start + 1..dark).contains(&telegrams), "{telegrams} of {all}: {:?}", came.failure());
     }
 }
