@@ -33,7 +33,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -l data-bits -d 'Data bits
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_needs_command" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_needs_command" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_needs_command" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_needs_command" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -96,7 +96,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
@@ -127,7 +127,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l data-bits -
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -163,7 +163,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -199,7 +199,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -231,7 +231,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -272,7 +272,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -304,7 +304,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -336,7 +336,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -369,7 +369,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -402,7 +402,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -435,7 +435,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -473,7 +473,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -510,7 +510,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -543,7 +543,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -577,7 +577,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
@@ -612,7 +612,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -647,7 +647,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -684,7 +684,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -720,7 +720,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -756,7 +756,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -792,7 +792,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -834,7 +834,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -873,7 +873,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -916,7 +916,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -959,7 +959,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1002,7 +1002,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1045,7 +1045,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1088,7 +1088,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1131,7 +1131,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1174,7 +1174,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1217,7 +1217,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1257,7 +1257,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1299,7 +1299,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1338,7 +1338,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1381,7 +1381,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1424,7 +1424,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1467,7 +1467,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1510,7 +1510,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1553,7 +1553,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1596,7 +1596,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1639,7 +1639,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1682,7 +1682,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1739,7 +1739,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l data-bits -
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1797,7 +1797,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l data-bits -
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1847,7 +1847,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l data-bits -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1905,7 +1905,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l data-bits -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1939,7 +1939,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l data-bits 
 complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1972,7 +1972,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2006,7 +2006,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2038,7 +2038,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2070,7 +2070,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2104,7 +2104,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2136,7 +2136,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2230,7 +2230,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fis
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from apply nmt plan load show check monitor" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2269,7 +2269,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from apply" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2302,7 +2302,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from nmt" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2367,7 +2367,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2398,7 +2398,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2426,7 +2426,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
@@ -2444,7 +2444,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from monitor" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2475,7 +2475,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -f -a "basic-status" -d 'A status word of the SJ2-PB in Basic mode, such as 0x0DD0'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -f -a "basic-control" -d 'A control word of the SJ2-PB in Basic mode, such as 0x0050'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l cfg -d 'What PROFIBUS carries: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2493,7 +2493,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2512,7 +2512,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l candump -d 'Write the CAN frames of it as a log of candump' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2530,7 +2530,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2549,7 +2549,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l mode -d 'Control mode (P.412)' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2567,7 +2567,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2585,7 +2585,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2603,7 +2603,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2621,7 +2621,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2640,7 +2640,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2658,7 +2658,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2676,7 +2676,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2816,7 +2816,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"

@@ -64,7 +64,7 @@ pub struct Globals {
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
     pub rs485_after: Option<Span>,
 
-    /// rtu, ascii, vabus, sdo, dp, auto (scan) [default: rtu]
+    /// rtu, ascii, vabus, sdo, dp, auto [default: rtu]
     #[arg(long, global = true, value_name = "NAME", help_heading = "Line")]
     pub protocol: Option<String>,
 

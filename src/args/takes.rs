@@ -50,7 +50,7 @@ impl Takes {
     };
     /// Listens on a CAN bus, which has no characters.
     pub const HEARS: Takes = Takes {
-        first: &["port", "baud", "protocol", "drive", "format", "lang", "trace"],
+        first: &["port", "baud", "protocol", "drive", "format", "lang", "trace", "dry_run"],
         silent: &["timeout", "retries", "yes"],
         refused: &[&["parity", "stop_bits", "data_bits", "address", "word_order"]],
     };

@@ -127,10 +127,15 @@ fn every_example_works() {
         shown.iter().for_each(|line| assert!(line.chars().count() <= 78, "{command}: {line}"));
         examples.extend(shown.into_iter().filter(|line| !line.is_empty()).map(str::to_owned));
     }
-    let record = antrieb("-p sim -a 1 --trace {dir}/line.txt read 372").exits(0);
-    let recorded = std::fs::read_to_string(record.directory().join("line.txt")).unwrap();
+    let recorded = |typed: &str| {
+        let run = antrieb(&format!("-p sim --trace {{dir}}/line.txt {typed}")).exits(0);
+        std::fs::read_to_string(run.directory().join("line.txt")).unwrap()
+    };
     // As somebody hears it who only listens.
-    let overheard = recorded.replace(" > ", " < ");
+    let overheard = |recorded: &str| recorded.replace(" > ", " < ");
+    let recorded_dp = overheard(&recorded("--protocol dp -a 3 read 964 --yes"));
+    let recorded = recorded("-a 1 read 372");
+    let overheard = overheard(&recorded);
     for example in &examples {
         let line = example.strip_prefix("antrieb ").unwrap();
         let line = line.replace("line.txt", "{dir}/line.txt").replace("bench.toml", "{dir}/bench.toml");
@@ -154,7 +159,14 @@ fn every_example_works() {
         let paced = if paced.contains("--tcp") { format!("{paced} --for 20ms") } else { paced };
         let bench = "[[drive]]\naddress = 1\nmodel = \"act\"\n";
         let ended = antrieb(&paced)
-            .file("line.txt", if example.contains("sniff") { &overheard } else { &recorded })
+            .file(
+                "line.txt",
+                match (example.contains("sniff"), example.contains("--protocol dp")) {
+                    (true, true) => &recorded_dp,
+                    (true, false) => &overheard,
+                    _ => &recorded,
+                },
+            )
             .file("bench.toml", bench)
             .file("can.toml", "[[drive]]\nmodel = \"acu\"\n[[foreign]]\nframe = \"080#\"\nevery = \"100ms\"\n")
             .file("record.csv", include_str!("../record.csv"))
