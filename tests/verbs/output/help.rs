@@ -133,7 +133,7 @@ fn every_example_works() {
     };
     // As somebody hears it who only listens.
     let overheard = |recorded: &str| recorded.replace(" > ", " < ");
-    let recorded_dp = overheard(&recorded("--protocol dp -a 3 read 964 --yes"));
+    let recorded_dp = overheard(&recorded("--protocol dp -a 3 read F002 --yes"));
     let recorded = recorded("-a 1 read 372");
     let overheard = overheard(&recorded);
     for example in &examples {
