@@ -328,7 +328,7 @@ async fn carry_out(
         motor.set(param, *raw).await?;
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
-    let mut course = Course::default();
+    let mut course = Course::led(wanted.schedule.end_us() > 0);
     lead(motor, wanted, &mut course, panel).await?;
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);

@@ -79,6 +79,11 @@ impl AccessError {
         matches!(self, AccessError::Link(LinkError::Stuck(_)))
     }
 
+    /// Whether the port went away, or the other end closed the connection.
+    pub fn is_lost(&self) -> bool {
+        matches!(self, AccessError::Link(LinkError::Lost(_)))
+    }
+
     /// Whether the value is not the same in all data sets, so that set 0 has none.
     pub fn sets_differ(&self) -> bool {
         matches!(self, AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. }))

@@ -202,6 +202,8 @@ pub struct Call<'m> {
     tried: Option<Tick>,
     /// When it was asked who it is, if it has not told in time.
     asked: Option<Tick>,
+    /// The port was lost and opened once more.
+    again: bool,
     /// Its answers come, and late.
     slow: bool,
     first: FirstWord,
@@ -227,6 +229,7 @@ impl<'m> Call<'m> {
             begun: None,
             tried: None,
             asked: None,
+            again: false,
             slow: false,
             first: FirstWord::default(),
             refused: false,
@@ -262,6 +265,12 @@ impl<'m> Call<'m> {
         match at_once(session, turn).await {
             Ok(pressed) => pressed,
             Err(error) if error.is_stuck() && session.now().since(tried) < SHOUTING => false,
+            // A gateway that has closed its connection may take another one.
+            Err(error)
+                if error.is_lost() && !std::mem::replace(&mut self.again, true) && session.reopen().await.is_ok() =>
+            {
+                false
+            }
             Err(error) => {
                 self.ended = Some(Err(error));
                 false

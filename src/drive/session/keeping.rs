@@ -5,6 +5,7 @@ use crate::drive::access::AccessError;
 use crate::drive::can;
 use crate::drive::open_line::OpenLine;
 use crate::protocol::Protocol;
+use crate::protocol::modbus::Framing;
 use crate::tick::{Span, Tick};
 use std::pin::pin;
 
@@ -54,7 +55,7 @@ impl<'a> Session<'a> {
     }
 
     /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what
-    /// was on its way to a lost question is nobody's answer.
+    /// was on its way to a lost question is nobody's answer; over Modbus/TCP that is gone with its connection.
     pub async fn reopen(&mut self) -> Result<(), AccessError> {
         let interrupt = self.interrupt.clone();
         let (bus, ends) = (self.protocol(), interrupt.clone());
@@ -69,6 +70,9 @@ impl<'a> Session<'a> {
         if let Some(name) = self.line.borrow().link.name() {
             name.clone_into(&mut self.port);
         }
-        self.rest(self.limits().reply_timeout).await
+        match self.protocol() {
+            Protocol::Modbus(Framing::Tcp) => Ok(()),
+            _ => self.rest(self.limits().reply_timeout).await,
+        }
     }
 }

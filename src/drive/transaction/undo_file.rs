@@ -117,6 +117,10 @@ fn unwritten(path: &Path, error: &FileError) -> Failure {
 /// What stands in it: the old values as those of a parameter file, and what was to come.
 fn text(head: &Head, plan: &Plan) -> String {
     let (mut old, mut new) = (Settings::default(), Settings::default());
+    // What the drive says otherwise than the catalogue would not be read again without it.
+    let own = |step: &Step| step.kind.filter(|kind| step.param.kind.is_some_and(|usual| usual != *kind));
+    let types = plan.job.steps.iter().filter_map(|step| Some((step.param.id, own(step)?))).collect();
+    let head = &Head { types, ..head.clone() };
     let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| row.result == WriteResult::Planned);
     let ram = plan.is_of_ram();
     for (step, row) in rows.filter(|(step, _)| ram == (step.set >= DataSets::RAM_OFFSET)) {

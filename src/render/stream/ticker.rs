@@ -16,7 +16,6 @@ pub(super) struct Ticker<'a> {
     /// The width is that of our own terminal, so it may change.
     follows: bool,
     board: Board,
-    /// The last sample of each drive, as text.
     /// What is told of each: its state, then what matters most first.
     drives: BTreeMap<u8, Vec<String>>,
     t: Decimal,
@@ -106,15 +105,33 @@ impl Form for Ticker<'_> {
     }
 }
 
-/// As many parts of every drive as fit; what does not is left out whole. Only what would not even fit alone is cut.
+/// What stands where parts of a drive did not fit.
+const MORE: &str = " \u{2026}";
+
+/// As many parts of every drive as fit, what matters most of each before what matters less of any; whose parts are not all there is
+/// marked. Only what would not even fit alone is cut.
 fn fitting(head: &str, drives: &[&[String]], width: usize) -> String {
-    let line = |parts: usize| {
-        let drives: Vec<_> = drives.iter().map(|drive| drive.get(..parts).unwrap_or(drive).join("  ")).collect();
-        format!("{head}{}", drives.join(" | "))
+    let line = |counts: &[usize]| {
+        let told = drives.iter().zip(counts).map(|(drive, &count)| {
+            let more = if count < drive.len() { MORE } else { "" };
+            format!("{}{more}", drive.get(..count).unwrap_or(drive).join("  "))
+        });
+        format!("{head}{}", told.collect::<Vec<_>>().join(" | "))
     };
-    let most = drives.iter().map(|drive| drive.len()).max().unwrap_or(0);
-    let whole = (1..=most).rev().map(line).find(|line| line.width() <= width);
-    whole.unwrap_or_else(|| cut(&line(1), width))
+    let mut counts = vec![1; drives.len()];
+    for rank in 1..drives.iter().map(|drive| drive.len()).max().unwrap_or(0) {
+        for (index, drive) in drives.iter().enumerate() {
+            let mut more = counts.clone();
+            match more.get_mut(index) {
+                Some(count) if *count == rank && rank < drive.len() => *count += 1,
+                _ => continue,
+            }
+            if line(&more).width() <= width {
+                counts = more;
+            }
+        }
+    }
+    cut(&line(&counts), width)
 }
 
 /// As much of a text as fits.
@@ -134,15 +151,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_does_not_fit_is_left_out_whole_and_what_matters_least_first() {
+    fn what_does_not_fit_is_left_out_whole_and_marked_and_what_matters_least_first() {
         let parts = |text: &str| text.split('|').map(str::to_owned).collect::<Vec<_>>();
         let (one, two) = (parts("1: Störung|Störung F0500|Strom 1,2 A"), parts("2: Bereit|Strom 0,0 A"));
         let drives = [&one[..], &two[..]];
         for (width, expected) in [
             (80, "3 s  1: Störung  Störung F0500  Strom 1,2 A | 2: Bereit  Strom 0,0 A"),
-            (60, "3 s  1: Störung  Störung F0500 | 2: Bereit  Strom 0,0 A"),
-            (50, "3 s  1: Störung | 2: Bereit"),
-            (20, "3 s  1: Störung | 2:"),
+            (60, "3 s  1: Störung  Störung F0500 … | 2: Bereit  Strom 0,0 A"),
+            (50, "3 s  1: Störung  Störung F0500 … | 2: Bereit …"),
+            (32, "3 s  1: Störung … | 2: Bereit …"),
+            (20, "3 s  1: Störung … | "),
         ] {
             assert_eq!(fitting("3 s  ", &drives, width), expected, "{width}");
         }

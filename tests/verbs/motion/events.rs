@@ -102,6 +102,18 @@ fn a_connection_that_ends_while_the_other_side_listens_is_made_once_more_for_the
     }
 }
 
+/// The same of a verb that stops, whichever of its telegrams the connection ends at.
+#[test]
+fn a_connection_that_ends_is_made_once_more_for_a_verb_that_stops() {
+    for verb in ["statemachine quick-stop", "statemachine disable"] {
+        for once in 1..12 {
+            let disturb = format!("[[disturb]]\nonce = {once}\nkind = \"hang-up\"\n");
+            let run = later(&format!("-v -b 115200 -a 1 {verb}"), &drive(RUNNING, &disturb), 4_000);
+            assert_eq!(left(), (0, 0), "{verb} {once}: {}", run.err);
+        }
+    }
+}
+
 #[test]
 fn a_port_that_takes_bytes_again_takes_the_stop() {
     let set = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n";

@@ -92,6 +92,18 @@ fn another_data_set_ends_a_run_whose_setpoint_is_led_at_once() {
         let stop = run.err.lines().find(|line| line.contains("> 01 06 01 9A 00 07")).unwrap();
         let at: f64 = stop.split_whitespace().next().unwrap().parse().unwrap();
         assert!((3_000.0..5_500.0).contains(&at), "{led}: {stop}");
+        // Nor is it agreed to where it comes before the first look, and the ramp of the drive is through by then.
+        let fast = sets.replace(
+            "[[drive.event]]",
+            "ramps = { up_right = 500, down_right = 500, up_left = 500, down_left = 500 }\n[[drive.event]]",
+        );
+        let sent = antrieb(&typed).on(fast.split("[[drive.event]]").next().unwrap()).file("way.csv", profile);
+        let enabled = sent.exits(0).sent().iter().position(|hex| hex.starts_with("01 06 01 9A 00 0F")).unwrap() + 1;
+        for after in enabled..enabled + 6 {
+            let early = fast.replace("at = \"3s\"", &format!("after_telegrams = {after}"));
+            let run = antrieb(&typed).on(&early).file("way.csv", profile).json().exits(8);
+            assert_eq!(run.error()["code"], "forbidden.otherwise", "{led} {after}: {}", run.value);
+        }
         // As long as it goes along its way, nothing ends it.
         let calm = sets.split("[[drive.event]]").next().unwrap();
         antrieb(&typed).on(calm).file("way.csv", profile).exits(0);

@@ -381,6 +381,13 @@ fn a_width_that_a_catalogue_is_wrong_about_costs_no_value() {
         for line in ["\"372@2\" = \"1450 1/min\"", "\"480\" = \"7.25 Hz\""] {
             assert!(values(&saved).iter().any(|value| value.starts_with(line)), "{saved}");
         }
+        // What was written of such a parameter is taken back too.
+        let other = saved.replace("1450 1/min", "1400 1/min").replace("7.25 Hz", "8 Hz");
+        let loaded = antrieb("-a 1 --yes dataset load {dir}/b.toml").on(&bench).file("b.toml", &other).exits(0);
+        let undone = loaded
+            .then("-a 1 --yes dataset undo {dir}/b.undo.toml")
+            .on(&bench.replace("7.25", "8").replace("1450", "1400"));
+        assert!(undone.exits(0).out.contains("7.25"));
     }
 }
 

@@ -32,11 +32,14 @@ impl Screen {
         clean(&format!(" {}", parts.join("  ")))
     }
 
-    /// The keys, where the run has come to, and what was said last, which has as many lines as it needs: its end may be what matters.
+    /// That the shaft may turn, the keys, where the run has come to, and what was said last, which has as many lines as it needs: its end
+    /// may be what matters.
     pub(super) fn said(&self, run: &RunNews, width: u16) -> Vec<String> {
-        let note = wrap(&format!(" {}", clean(&self.note)), Some(width));
-        let note = note.lines().map(str::to_owned);
-        [self.keys(run, width), self.course(run)].into_iter().chain(note).collect()
+        let told = |text: &str| wrap(&format!(" {}", clean(text)), Some(width));
+        let alarm = Some(&self.alarm).filter(|alarm| !alarm.is_empty()).map(|alarm| told(alarm)).unwrap_or_default();
+        let note = told(&self.note);
+        let course = [self.keys(run, width), self.course(run)];
+        alarm.lines().map(str::to_owned).chain(course).chain(note.lines().map(str::to_owned)).collect()
     }
 
     /// What the keys do; what does not fit is left out, what stops comes first.
@@ -44,6 +47,7 @@ impl Screen {
         let lang = self.lang;
         let mut keys = match run.phase {
             "ended" => vec![lang.pick("q ends", "q beendet").to_owned()],
+            "stopping" if run.stop == "coast" => Vec::new(),
             "stopping" => vec![lang.pick("Ctrl-C: a stronger stop", "Strg-C: stärkerer Halt").to_owned()],
             _ => vec![
                 lang.pick("space stop", "Leertaste Halt").to_owned(),

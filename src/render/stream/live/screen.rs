@@ -1,6 +1,7 @@
 //! The live view without a terminal: a line for every drive, and the values of one of them.
 
 use super::past::{Drive, float};
+use crate::failure::may_turn;
 use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
@@ -28,6 +29,8 @@ pub(super) struct Screen {
     pub(super) note: String,
     /// When that was said.
     noted: Decimal,
+    /// That nothing proves that the shaft stands: it stays, whatever else is said, until the drive answers or the run comes to its next part.
+    pub(super) alarm: String,
     /// What was said, as far as it may be shown again.
     pub(super) notes: VecDeque<String>,
     /// Where a run has come to, if this is one.
@@ -61,6 +64,7 @@ impl Screen {
             lost: false,
             note: String::new(),
             noted: Decimal { raw: 0, decimals: 6 },
+            alarm: String::new(),
             notes: VecDeque::new(),
             run: None,
             diagnoses: false,
@@ -77,6 +81,9 @@ impl Screen {
                 self.t = sample.t;
                 self.rounds = sample.n + 1;
                 self.gaps += u64::from(sample.error.is_some());
+                if sample.error.is_none() {
+                    self.alarm.clear();
+                }
                 let drive = self.drives.iter_mut().find(|drive| drive.about.address == sample.address);
                 if let Some(drive) = drive {
                     drive.take(sample);
@@ -92,6 +99,7 @@ impl Screen {
                 };
                 if self.run.as_ref().is_none_or(is_new) {
                     self.note.clear();
+                    self.alarm.clear();
                 }
                 self.run = Some(news.clone());
             }
@@ -103,7 +111,8 @@ impl Screen {
 
     /// Somebody has something to say.
     pub(super) fn note(&mut self, text: &str) {
-        text.clone_into(&mut self.note);
+        let is_alarm = text.starts_with(may_turn().get(self.lang));
+        text.clone_into(if is_alarm { &mut self.alarm } else { &mut self.note });
         self.noted = self.t;
         // Who leans on a key hears the same again and again.
         self.notes.retain(|said| said != text);

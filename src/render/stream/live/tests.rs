@@ -254,6 +254,22 @@ fn what_a_key_was_told_is_over_with_the_next_one() {
     assert!(page.contains("setpoint 24.50 Hz") && !page.contains("agreed"), "{page}");
 }
 
+/// What a key was told pushes nothing off the screen that says that the shaft may turn; an answer of the drive ends it.
+#[test]
+fn that_the_shaft_may_turn_stays_whatever_else_is_said() {
+    let mut screen = screen_in(Lang::De, "sollwert", 1, &[Some(0), Some(1_250), None]);
+    screen.record(&course("stopping"));
+    screen.note("DIE WELLE KANN NOCH DREHEN: keine gültige Antwort auf den Halt, der weiter gesendet wird");
+    screen.note("erneut unterbrochen: coast statt quick-stop");
+    for height in [24, 8] {
+        let page = drawn(&screen, 80, height).join("\n");
+        assert!(page.contains("KANN NOCH DREHEN"), "{page}");
+    }
+    assert!(drawn(&screen, 80, 24).join("\n").contains("erneut unterbrochen"));
+    screen.record(&course("ended"));
+    assert!(!drawn(&screen, 80, 24).join("\n").contains("KANN NOCH DREHEN"));
+}
+
 /// The end of a warning may be what matters.
 #[test]
 fn what_was_said_last_of_a_run_is_shown_whole() {
