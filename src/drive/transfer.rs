@@ -81,7 +81,8 @@ impl Target {
                 self.widths.insert(param.id, second);
                 Err(differ)
             }
-            Err(AccessError::Refused(_)) => Err(error),
+            Err(AccessError::Refused(again)) if again.is_of_width() || again.no.is_of_what_was_asked() => Err(error),
+            // Whoever is busy, or cannot tell a value, says so of the width that is right.
             Err(other) => Err(other),
         }
     }

@@ -391,6 +391,19 @@ fn a_width_that_a_catalogue_is_wrong_about_costs_no_value() {
     }
 }
 
+/// Nor is it a parameter that the drive does not have where it is busy at the width that is right.
+#[test]
+fn a_drive_that_is_busy_at_the_other_width_has_the_parameter() {
+    let bench = "[[drive]]\nmodel = \"acu\"\nother_width = [480]\n";
+    let sent = antrieb("-v -a 1 dataset save {dir}/a.toml").on(bench).exits(0).sent();
+    let asked = sent.iter().position(|hex| hex.starts_with("01 03 01 E0")).unwrap() + 1;
+    let busy = |once: usize| format!("[[disturb]]\nonce = {once}\nkind = \"exception\"\n");
+    let busy = (asked..asked + 12).map(busy).collect::<String>();
+    let saved = antrieb("-a 1 dataset save {dir}/a.toml").on(&format!("{bench}{busy}")).exits(9);
+    assert!(saved.err.contains("missing"), "{}", saved.err);
+    assert!(saved.text_of("a.toml.part").contains("unanswered = \"480"), "{}", saved.text_of("a.toml.part"));
+}
+
 /// Half of a file that was copied to a stick.
 #[test]
 fn a_file_that_is_not_what_was_saved_is_told_before_it_is_loaded() {
