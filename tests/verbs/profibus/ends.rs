@@ -1,6 +1,6 @@
 //! Every end of a run over PROFIBUS: the stop word until the frequency is 0, what was lent given back, and only then outputs of zero.
 
-use super::rig::{Came, Hand, RESTS, Said, does, event, module};
+use super::rig::{Came, Hand, RESTS, Said, die, does, event, module, no_lost_port_leaves_a_shaft_turning};
 use antrieb::tick::Span;
 use antrieb::transport::witness;
 
@@ -323,19 +323,7 @@ fn a_slave_that_is_lost_is_stopped_by_itself_or_by_us() {
 
 #[test]
 fn a_port_that_is_lost_at_any_telegram_leaves_no_shaft_turning() {
-    let whole = on_time("");
-    let (start, all) = (whole.first(0x047F), whole.sent.len());
-    let moments = whole.moments();
-    let dark = start + moments[start..].iter().rposition(|moment| moment.is_fed).unwrap();
-    for telegrams in (0..all).step_by(9).chain(start.saturating_sub(3)..start + 4) {
-        witness::pull_after(Some(telegrams as u64));
-        let came = does(RUN, &module(RESTS, "", ""), Hand::default());
-        witness::pull_after(None);
-        assert_eq!(came.code().1, 3, "{telegrams}: {:?}", came.failure());
-        assert_eq!(came.later(), [0, 0], "{telegrams}");
-        let warned = came.failure().unwrap().told().en.starts_with("THE SHAFT MAY STILL TURN");
-        assert!(warned || !(start + 1..dark).contains(&telegrams), "{telegrams} of {all}: {:?}", came.failure());
-    }
+    no_lost_port_leaves_a_shaft_turning(|| on_time(""), 0x047F);
 }
 
 #[test]
@@ -352,11 +340,7 @@ fn who_is_killed_leaves_it_to_the_watchdog() {
 /// Any end at any step, under any readings, with whatever happens to the line: a die of its own, the same every time.
 #[test]
 fn dice_over_ends_and_steps_leave_no_shaft_turning() {
-    let mut state = 7_u64;
-    let mut die = |sides: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % sides
-    };
+    let mut die = die(7);
     let all = on_time("").sent.len();
     for round in 0..120 {
         let readings = READINGS[die(READINGS.len())];

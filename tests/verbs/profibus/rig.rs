@@ -166,6 +166,33 @@ pub(super) fn does(line: &str, bench: &str, hand: Hand<'_>) -> Came {
     Came { outcome, asked: asked.take(), sent, left, bench: bench.to_owned() }
 }
 
+/// A run whose port is lost, at every ninth telegram and around `word`, which starts the motor: no shaft is left turning, and that one may
+/// be is said.
+pub(super) fn no_lost_port_leaves_a_shaft_turning(run: impl Fn() -> Came, word: u16) {
+    let whole = run();
+    let (start, all) = (whole.first(word), whole.sent.len());
+    let moments = whole.moments();
+    let dark = start + moments[start..].iter().rposition(|moment| moment.is_fed).unwrap();
+    for telegrams in (0..all).step_by(9).chain(start.saturating_sub(3)..start + 4) {
+        witness::pull_after(Some(telegrams as u64));
+        let came = run();
+        witness::pull_after(None);
+        assert_eq!(came.code().1, 3, "{telegrams}: {:?}", came.failure());
+        assert_eq!(came.later(), [0, 0], "{telegrams}");
+        let warned = came.failure().unwrap().told().en.starts_with("THE SHAFT MAY STILL TURN");
+        assert!(warned || !(start + 1..dark).contains(&telegrams), "{telegrams} of {all}: {:?}", came.failure());
+    }
+}
+
+/// A die of its own, the same every time.
+pub(super) fn die(seed: u64) -> impl FnMut(usize) -> usize {
+    let mut state = seed;
+    move |sides| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % sides
+    }
+}
+
 impl Came {
     /// Why it failed, or was refused before anything was done.
     pub(super) fn failure(&self) -> Option<&Failure> {
