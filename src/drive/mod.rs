@@ -42,6 +42,7 @@ mod trouble;
 mod turns;
 mod upper;
 mod watch;
+mod widths;
 mod write;
 
 pub use access::{AccessError, Refusal};

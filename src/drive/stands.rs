@@ -24,7 +24,11 @@ pub(super) async fn stands(
     let asked = if sets == four { vec![first] } else { sets.to_vec() };
     let mut found = Stands::new();
     for set in asked {
-        let rows = target.read(session, param, describe::sets(set)).await;
+        // What the RAM is not shown for costs no further question.
+        let rows = match ram {
+            true => target.read(session, param, describe::sets(set)).await,
+            false => target.read_as_it_is(session, param, &[describe::sets(set)]).await,
+        };
         for (at, result) in rows {
             let result = result.map(|reading| reading.raw);
             let result = match result {

@@ -152,7 +152,8 @@ impl Target {
         Ok(chunk.iter().zip(values).map(read).collect())
     }
 
-    async fn read_as(
+    /// Reads a parameter at this width, and at no other.
+    pub(super) async fn read_as(
         &mut self,
         session: &mut Session<'_>,
         param: &Param,
@@ -267,6 +268,11 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
 pub(super) fn hides_width(session: &Session<'_>, param: &Param, raw: i64) -> bool {
     let is_alike = (0..=i64::from(i16::MAX)).contains(&raw);
     matches!(session.protocol(), Protocol::Sdo(_)) && param.kind.is_none() && !is_alike
+}
+
+/// Whether a reply carries its length, so that it tells a width by itself.
+pub(super) fn tells_width(session: &Session<'_>) -> bool {
+    session.protocol() == Protocol::Vabus
 }
 
 /// A value of which always four bytes come. A word fills the lower two; of one below zero the upper two are zero, as the manual prints

@@ -5,6 +5,7 @@
 
 use super::asked::Asking;
 use crate::drive::transfer::hides_width;
+use crate::drive::widths::{Rows, doubted, refusal};
 use crate::drive::{AccessError, Reading, Refusal, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -162,9 +163,7 @@ impl Work<'_, '_> {
         let presumed = presumed(&one.param);
         let mut rows = self.read(&presumed, &one.sets).await;
         let first = refusal(&rows);
-        if first.is_some_and(Refusal::is_of_width) {
-            rows = self.read(&doubted(&presumed), &one.sets).await;
-        } else if first.is_some_and(|first| !first.denies(&self.target.family)) {
+        if first.is_some_and(|first| !first.is_of_width() && !first.denies(&self.target.family)) {
             rows = self.read(&presumed, &one.sets).await;
         }
         let denies =
@@ -174,13 +173,7 @@ impl Work<'_, '_> {
     }
 
     async fn read(&mut self, param: &Param, asked: &[DataSets]) -> Rows {
-        let mut rows = Vec::new();
-        for &sets in asked {
-            rows.extend(self.target.read(self.session, param, sets).await);
-            if rows.iter().any(|(_, row)| row.is_err()) {
-                break;
-            }
-        }
+        let rows = self.target.read_as_it_is(self.session, param, asked).await;
         // Where the answer that told why was lost, the four were asked although they are equal.
         match asked {
             [DataSets::Unnamed] => all_at_once(rows),
@@ -275,14 +268,6 @@ impl Work<'_, '_> {
     }
 }
 
-/// What was answered, by data sets.
-type Rows = Vec<(u8, Result<Reading, AccessError>)>;
-
-/// What the drive said in place of a value.
-fn refusal(rows: &[(u8, Result<Reading, AccessError>)]) -> Option<Refusal> {
-    rows.iter().find_map(|(_, row)| row.as_ref().err()?.refusal())
-}
-
 /// Four data sets that hold the same, as the one value that data set 0 is.
 fn all_at_once(rows: Rows) -> Rows {
     let [(1, Ok(first)), others @ ..] = rows.as_slice() else { return rows };
@@ -303,10 +288,4 @@ fn presumed(param: &Param) -> Param {
         (None, Some("Hz")) => doubted(&Param { kind: Some(Type::Long), ..param.clone() }),
         _ => param.clone(),
     }
-}
-
-/// A parameter whose width the drive may say otherwise.
-fn doubted(param: &Param) -> Param {
-    let unconfirmed = param.unconfirmed.iter().cloned().chain(["type".to_owned()]).collect();
-    Param { unconfirmed, ..param.clone() }
 }

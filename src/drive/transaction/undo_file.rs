@@ -118,13 +118,15 @@ fn unwritten(path: &Path, error: &FileError) -> Failure {
 fn text(head: &Head, plan: &Plan) -> String {
     let (mut old, mut new) = (Settings::default(), Settings::default());
     // What the drive says otherwise than the catalogue would not be read again without it.
-    let own = |step: &Step| step.kind.filter(|kind| step.param.kind.is_some_and(|usual| usual != *kind));
+    let target = &plan.job.target;
+    let kind = |step: &Step| target.known_width(step.param.id).or(step.kind);
+    let own = |step: &Step| kind(step).filter(|kind| step.param.kind.is_some_and(|usual| usual != *kind));
     let types = plan.job.steps.iter().filter_map(|step| Some((step.param.id, own(step)?))).collect();
     let head = &Head { types, ..head.clone() };
     let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| row.result == WriteResult::Planned);
     let ram = plan.is_of_ram();
     for (step, row) in rows.filter(|(step, _)| ram == (step.set >= DataSets::RAM_OFFSET)) {
-        let kind = step.kind.or(plan.job.target.known_width(step.param.id));
+        let kind = kind(step);
         let of = |raw: i64| Setting { param: step.param.clone(), set: step.set % 5, raw, kind, at: nowhere() };
         if let Some(before) = row.old_raw {
             old.insert(of(before));
@@ -139,7 +141,7 @@ fn text(head: &Head, plan: &Plan) -> String {
     }
     let store = if ram { Store::Ram } else { Store::Eeprom };
     let lost = if ram { Settings::default() } else { plan.in_ram_alone() };
-    print_undo(head, &old, (&new, store), &lost, &plan.job.target.family)
+    print_undo(head, &old, (&new, store), &lost, &target.family)
 }
 
 fn nowhere() -> At {

@@ -3,6 +3,7 @@
 use super::page::{Page, set_name, shown};
 use super::{Finding, Rows};
 use crate::outcome::{Write, WriteResult, Written, numbered};
+use std::collections::BTreeSet;
 
 impl Finding for Write {
     fn table(&self, page: Page) -> String {
@@ -62,7 +63,10 @@ impl Page {
         let mut text = self.table(head.get(usize::from(!several)..).unwrap_or_default(), rows.collect());
         let sent = values.iter().any(|row| self.to_send(row).is_some());
         text += if sent { "\n" } else { "" };
-        text + &alike.iter().map(|(first, last)| self.remarks(first, last)).collect::<String>()
+        // A line of a file may be told of four data sets.
+        let mut told = BTreeSet::new();
+        let remarks = alike.iter().flat_map(|(first, last)| self.remarks(first, last));
+        text + &remarks.filter(|remark| told.insert(remark.clone())).collect::<String>()
     }
 
     fn change(self, row: &Written, last: &Written, several: bool) -> Vec<String> {
@@ -81,7 +85,7 @@ impl Page {
     }
 
     /// Why a value did not go, what is odd about it, and the telegram of one that is only planned.
-    fn remarks(self, row: &Written, last: &Written) -> String {
+    fn remarks(self, row: &Written, last: &Written) -> Vec<String> {
         let place = format!("{}@{}", numbered(row.param, row.index), sets(row, last));
         let error = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
         let note = row.note.as_ref().map(|note| self.say(note));
@@ -89,9 +93,9 @@ impl Page {
             true => told,
             false => format!("{place}: {told}"),
         });
-        let told: String = told.map(|told| self.prose(&told)).collect();
         let meaning = row.meaning.as_ref().map(|meaning| self.say(meaning)).unwrap_or_default();
-        told + &self.to_send(row).map_or_else(String::new, |telegram| self.prose(&format!("{telegram}  {meaning}")))
+        let sent = self.to_send(row).map(|telegram| format!("{telegram}  {meaning}"));
+        told.chain(sent).map(|remark| self.prose(&remark)).collect()
     }
 
     /// What would be sent, where there is no room for it beside the value.

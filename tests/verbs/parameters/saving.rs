@@ -404,6 +404,44 @@ fn a_drive_that_is_busy_at_the_other_width_has_the_parameter() {
     assert!(saved.text_of("a.toml.part").contains("unanswered = \"480"), "{}", saved.text_of("a.toml.part"));
 }
 
+/// `check`, `load` and `undo` ask at the same widths, also of a file that names none. Over VABus a reply carries its length, and tells so.
+#[test]
+fn who_checks_and_who_loads_ask_at_the_same_widths() {
+    for protocol in ["rtu", "ascii", "vabus"] {
+        let bench = |values: &str| {
+            let odd = "other_width = [372, 480]";
+            format!("[[drive]]\nmodel = \"acu\"\nprotocol = \"{protocol}\"\n{odd}\nset = {{ {values} }}\n")
+        };
+        let before = bench("\"372@2\" = 1450, \"480\" = 7.25");
+        let line = format!("--protocol {protocol} -a 1 --yes dataset");
+        let text = "antrieb = 1\n[drive]\nfamily = \"acu\"\n[values]\n\"372@2\" = 1400\n\"480\" = -8\n";
+        antrieb(&format!("{line} check {{dir}}/f.toml")).on(&before).file("f.toml", text).exits(1);
+        let loaded = antrieb(&format!("{line} load {{dir}}/f.toml")).on(&before).file("f.toml", text).exits(0);
+        let undo = loaded.text_of("f.undo.toml");
+        assert!(undo.contains("480 = \"word\"") && undo.contains("372 = \"long\""), "{undo}");
+        let after = bench("\"372@2\" = 1400, \"480\" = -8");
+        let undone = loaded.then(&format!("{line} undo {{dir}}/f.undo.toml")).on(&after).exits(0);
+        assert!(undone.out.contains("7.25") && undone.out.contains("1450"), "{}", undone.out);
+    }
+}
+
+#[test]
+fn over_vabus_a_width_that_a_catalogue_is_wrong_about_costs_no_value() {
+    let bench = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\nother_width = [372, 480]\n\
+                 set = { \"372@2\" = 1450, \"480\" = -7.25 }\n";
+    let saved = antrieb("--protocol vabus -a 1 dataset save {dir}/a.toml").on(bench).exits(0);
+    let text = saved.text_of("a.toml");
+    assert!(text.contains("\"372@2\" = \"1450 1/min\"") && text.contains("\"480\" = \"-7.25 Hz\""), "{text}");
+    assert!(text.contains("480 = \"word\""), "{text}");
+    saved.then("--protocol vabus -a 1 dataset check {dir}/a.toml").on(bench).exits(0);
+    // A single value is believed in the form of its row alone.
+    antrieb("--protocol vabus -a 1 read 480").on(bench).exits(5);
+    // What is told in the other form and not again is no value.
+    let sure = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\n";
+    let sent = antrieb("-v --protocol vabus -a 1 dataset check {dir}/a.toml").on(sure).file("a.toml", &text).run();
+    assert!(sent.exit != 0, "{}", sent.out);
+}
+
 /// Half of a file that was copied to a stick.
 #[test]
 fn a_file_that_is_not_what_was_saved_is_told_before_it_is_loaded() {

@@ -103,6 +103,20 @@ fn what_is_in_the_way_is_counted_and_named_by_the_lines_of_the_files() {
     }
 }
 
+/// Also where the four stand differently, so that each has a row.
+#[test]
+fn why_a_line_of_a_file_cannot_go_is_told_once() {
+    let bench = format!("{FRESH}set = {{ \"412@2\" = 1, \"412@3\" = 2 }}\n");
+    let project = "[drives.a]\nport = \"sim:{dir}/a.bench\"\naddress = 1\nfiles = [\"f.toml\"]\n";
+    for verb in ["plan", "apply --yes"] {
+        let run = antrieb(verb).columns(80).file("a.bench", &bench).file("f.toml", &file("412 = 999"));
+        let project = project.replace("{dir}", &run.directory().display().to_string());
+        let out = run.file("antrieb.toml", &project).run().out;
+        let told = out.split("error").next().unwrap().matches("f.toml:5:1").count();
+        assert_eq!(told, 1, "{verb}: {out}");
+    }
+}
+
 /// Slips of the hand, each with what helps.
 #[test]
 fn what_is_wrong_with_a_line_comes_with_what_would_be_right() {
