@@ -16,7 +16,7 @@ use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, offline, offline_family};
 use crate::args::{KeypadArgs, MotionArgs, Takes, below_zero, parse_span};
-use crate::drive::motion::{self, Course, Motor, Situation};
+use crate::drive::motion::{self, Motor, Situation};
 use crate::drive::{Panel, Session, Target, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -277,7 +277,7 @@ impl Giving<'_> {
             None if zero::is_aim(args, &wanted) => zero::relief(session, target, before, &wanted).await?,
             relief => relief,
         };
-        tells_more(session, target, plan, &wanted, enable).await?;
+        tells_more(session, target, plan, &wanted).await?;
         let waits = args.until.is_some() && motion.duration.is_some();
         plan.details.extend(waits.then(begins_later));
         plan.details.extend(wanted.start.as_ref().and_then(|start| start.note.clone()));
@@ -328,8 +328,7 @@ async fn carry_out(
         motor.set(param, *raw).await?;
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
-    let mut course = Course::led(wanted.schedule.end_us() > 0);
-    lead(motor, wanted, &mut course, panel).await?;
+    lead(motor, wanted, panel).await?;
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
     }
@@ -342,7 +341,7 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        hold(motor, wanted, (motion.duration, course), panel).await?;
+        hold(motor, wanted, motion.duration, panel).await?;
     }
     Ok(())
 }
@@ -351,7 +350,7 @@ async fn carry_out(
 async fn hold(
     motor: &mut Motor<'_, '_>,
     wanted: &Wanted,
-    (duration, mut course): (Option<Span>, Course),
+    duration: Option<Span>,
     panel: &Panel,
 ) -> Result<(), Failure> {
     let mut given = wanted.schedule.at(u64::MAX);
@@ -375,7 +374,7 @@ async fn hold(
             if wanted.mode.zero {
                 motor.refresh(&wanted.param, given).await?;
             }
-            motor.keeps(&mut course).await
+            Ok(())
         })
         .await
 }
@@ -405,7 +404,7 @@ fn as_told(motor: &mut Motor<'_, '_>, wanted: &Wanted) -> Result<(), Failure> {
 }
 
 /// Leads the setpoint along its schedule, as long as the drive goes there.
-async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, course: &mut Course, panel: &Panel) -> Result<(), Failure> {
+async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, panel: &Panel) -> Result<(), Failure> {
     let (end, unit) = (wanted.schedule.end_us(), wanted.param.unit.as_deref().unwrap_or(""));
     if end == 0 {
         return Ok(());
@@ -426,7 +425,7 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, course: &mut Course, p
                     "die Pfeile wirken, wenn der Verlauf zu Ende ist"
                 ));
             }
-            motor.keeps(course).await
+            Ok(())
         })
         .await?;
     motor.is_led(false);

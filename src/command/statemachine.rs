@@ -223,7 +223,7 @@ async fn commanded(context: &mut Context<'_>, plan: Plan<'_>, bounds: Option<Tex
                 (other, _) => motor.command(other).await?,
             }
             if motion.hold && slug == "enable" {
-                motor.hold_as_shown(motion.duration).await?;
+                motor.hold(motion.duration, async |_, _| Ok(())).await?;
             }
             Ok(())
         },
@@ -313,7 +313,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         async |motor, ()| {
             motor.walk(state).await?;
             if let (Some(duration), true) = (hold, runs) {
-                motor.hold_as_shown(duration).await?;
+                motor.hold(duration, async |_, _| Ok(())).await?;
             }
             Ok(())
         },

@@ -361,6 +361,8 @@ pub struct Adds {
     /// The parameter shows the sum, so that the part that is added is not known.
     #[serde(default)]
     pub sum: bool,
+    /// A modulus and what the role `configuration` is by it where a controller may make the drive's own setpoint of this one.
+    pub controls: Option<(i64, i64)>,
 }
 
 /// A setting that lifts small setpoints.

@@ -2,6 +2,7 @@
 
 use super::wanted::Wanted;
 use crate::command::running::Plan;
+use crate::drive::motion::Promise;
 use crate::drive::{Session, Target, motion};
 use crate::failure::Failure;
 use crate::profile::{Family, Start};
@@ -34,7 +35,6 @@ pub(super) async fn tells_more(
     target: &mut Target,
     plan: &mut Plan<'_>,
     wanted: &Wanted,
-    enable: bool,
 ) -> Result<(), Failure> {
     if plan.aim.is_some() && plan.args.take_control {
         let told = both!(
@@ -52,10 +52,13 @@ pub(super) async fn tells_more(
         );
         plan.tells(session, vec![told]);
     }
-    if enable && wanted.mode.source.is_none() {
-        let promises = motion::own_setpoints(session, target).await?;
+    if plan.aim.is_none() && wanted.mode.source.is_none() {
+        let mut promises = motion::own_setpoints(session, target).await?;
         let told = promises.iter().filter_map(|promise| promise.runs_at(&target.family)).collect();
         plan.tells(session, told);
+        if !promises.is_empty() && motion::is_controlled(session, target, &wanted.mode).await? {
+            promises = promises.into_iter().map(Promise::led).collect();
+        }
         plan.promises.extend(promises);
     }
     Ok(())

@@ -46,7 +46,7 @@ pub(super) async fn set(
             }
             motor.contacts(word).await?;
             if let Some(duration) = hold {
-                motor.hold_as_shown(duration).await?;
+                motor.hold(duration, async |_, _| Ok(())).await?;
             }
             Ok(())
         },

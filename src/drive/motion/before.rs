@@ -90,6 +90,13 @@ pub async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Re
     Ok(found)
 }
 
+/// Whether a controller may make the drive's own setpoint of that of a mode.
+pub async fn is_controlled(session: &mut Session<'_>, target: &mut Target, mode: &Mode) -> Result<bool, Failure> {
+    let Some((modulo, is)) = mode.adds.and_then(|adds| adds.controls) else { return Ok(false) };
+    let configuration = role_raw(session, target, "configuration").await?;
+    Ok(configuration.and_then(|raw| raw.checked_rem(modulo)) == Some(is))
+}
+
 /// Whether a setpoint of zero can only slow the shaft. In its own mode nothing else is left, but where the drive adds a setpoint of its
 /// own to it (CM-485 manual 9.2.1): that must not turn the shaft the other way. A drive without power turns nothing.
 pub async fn zero_only_slows(

@@ -67,6 +67,7 @@ impl Motor<'_, '_> {
             // Neither does a look put off what is given again before the drive's watchdog misses it.
             let due = self.guard.map(|guard| self.session.now() + Span::from_micros(guard.as_micros() / 2));
             self.session.end_at(end.into_iter().chain(due).chain(last).min());
+            let asked = self.session.now();
             let seen = self.look_on().await;
             let now = self.session.now();
             let patience = self.guard.map_or(Span::ZERO, |guard| Span::from_micros(guard.as_micros() / 4 * 3));
@@ -77,7 +78,12 @@ impl Motor<'_, '_> {
                 seen => seen?,
             };
             looked = self.shown.map_or(now, |(_, at)| at);
-            let gone = now.since(begun);
+            let takes = now.since(asked);
+            // What is given again and the look at the state come in time behind it.
+            let room = self.guard.map(|guard| Span::from_micros(guard.as_micros() / 16 * 15) - takes.times(2));
+            let by = room.map(|room| looked + room);
+            self.keeps(takes, by).await?;
+            let gone = self.session.now().since(begun);
             self.spend(self.round(duration, gone), end).await?;
         }
     }

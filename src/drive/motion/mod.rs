@@ -27,7 +27,7 @@ mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
-pub use before::{Standing, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows};
+pub use before::{Standing, is_controlled, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows};
 pub use changes::would_change;
 pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
@@ -35,7 +35,7 @@ pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, turns, watchdog_raw, watchdog_seconds, working,
     working_raw,
 };
-pub use own::{Course, Own, Promise, Total, demand_as_shown};
+pub use own::{Own, Promise, Total, demand_as_shown};
 pub use relief::PROOF;
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
@@ -57,6 +57,7 @@ use crate::profile::{Blind, Mode, Need, Param};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use futures_util::FutureExt as _;
+use own::Course;
 use std::panic::AssertUnwindSafe;
 use still::Sight;
 use taking::Taken;
@@ -178,6 +179,7 @@ pub struct Motor<'a, 's> {
     pub expects: Option<(i64, i64)>,
     /// What somebody was shown of its own settings.
     pub promises: Vec<Promise>,
+    course: Course,
     /// Setpoint of the mode that the drive shows; the stop sets it to 0.
     zeroes: Option<u32>,
     /// Setpoint that the stop has set to 0 before it asked for that mode.
@@ -256,6 +258,7 @@ impl<'a, 's> Motor<'a, 's> {
             setpoint: None,
             expects: None,
             promises: Vec::new(),
+            course: Course::default(),
             zeroes: None,
             zeroed: None,
             notes: Vec::new(),
@@ -291,6 +294,8 @@ impl<'a, 's> Motor<'a, 's> {
             );
             Err(Failure::new(Class::Bug, "bug.panic", text))
         });
+        // What goes on is looked at once more before it is left; what ends, behind its stop.
+        let result = if hold { result } else { self.kept(result).await };
         let because = match &result {
             Ok(_) => "end",
             Err(failure) if failure.class == Class::Interrupted => "interrupted",
@@ -312,6 +317,7 @@ impl<'a, 's> Motor<'a, 's> {
         let gives_back = self.relieving.is_none() && self.may_give_back(stop.as_ref());
         let gives_back = gives_back && !(self.hurried && self.unheard);
         self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
+        let result = if hold { self.kept(result).await } else { result };
         let result = match result {
             Err(failure) => Err(self.explained(failure).await),
             done => done,

@@ -16,6 +16,8 @@ const WAVERS: u64 = 20;
 const WAVERS_RAW: u64 = 50;
 /// How often a run looks whether the drive still leads the shaft to what was agreed to.
 const LOOKS: Span = Span::from_secs(1);
+/// It runs otherwise than was agreed to.
+const OTHERWISE: &str = "forbidden.otherwise";
 
 /// What the settings of a drive make of the setpoint of a mode. `None`: it does not tell, or has no such setting.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,6 +26,8 @@ pub struct Own {
     pub source: Option<i64>,
     /// Setpoint of its own, if it works with one.
     pub adds: Option<i64>,
+    /// Where what it adds comes from, if only the sum of both is shown.
+    pub by: Option<i64>,
     /// Bound in both directions.
     pub limit: Option<i64>,
     /// Least magnitude, to which it lifts what is smaller.
@@ -51,6 +55,7 @@ impl Own {
         }
         if let Some(adds) = mode.adds.filter(|adds| own.takes(mode, adds.source)) {
             own.adds = will_be(adds.param).await?;
+            own.by = if adds.sum { will_be(adds.by).await? } else { None };
         }
         if let Some(limit) = mode.limit {
             own.limit = will_be(limit).await?;
@@ -67,17 +72,9 @@ impl Own {
         with.is_none() || (self.source.is_some() && (self.source == with || self.source == ignored))
     }
 
-    fn is_still(&self, now: &Own) -> bool {
-        let near = match (self.adds, now.adds) {
-            (Some(then), Some(now)) => then.abs_diff(now) <= wavers(then),
-            (then, now) => then == now,
-        };
-        near && (self.source, self.limit, self.least) == (now.source, now.limit, now.least)
-    }
-
     /// In the order of [`Promise::params`].
-    fn values(&self) -> [Option<i64>; 4] {
-        [self.source, self.adds, self.limit, self.least]
+    fn values(&self) -> [Option<i64>; 5] {
+        [self.source, self.adds, self.by, self.limit, self.least]
     }
 }
 
@@ -124,6 +121,8 @@ pub struct Promise {
     sets: Vec<(Param, i64)>,
     /// What they make of a setpoint.
     pub own: Own,
+    /// What the drive adds is led by what the run sets: nobody can be held to it.
+    led: bool,
 }
 
 impl Promise {
@@ -135,13 +134,26 @@ impl Promise {
         sets: &[(Param, i64)],
     ) -> Result<Promise, Failure> {
         let own = Own::read(session, target, mode, sets).await?;
-        Ok(Promise { mode: mode.clone(), sets: sets.to_vec(), own })
+        Ok(Promise { mode: mode.clone(), sets: sets.to_vec(), own, led: false })
+    }
+
+    /// The same where what the drive adds is led by what the run sets.
+    pub fn led(self) -> Self {
+        Promise { led: true, ..self }
     }
 
     /// Fails if it is otherwise now: a contact may have selected another data set while somebody was asked.
     pub async fn demand(&self, session: &mut Session<'_>, target: &mut Target) -> Result<(), Failure> {
         let now = Own::read(session, target, &self.mode, &self.sets).await?;
-        if self.own.is_still(&now) { Ok(()) } else { Err(self.broken(&now, &target.family)) }
+        let then = self.params(&self.own).into_iter().zip(self.own.values()).zip(self.wavering());
+        let now = self.params(&now).into_iter().zip(now.values());
+        let mut otherwise = Vec::new();
+        for (((id, then), near), (new, now)) in then.zip(now) {
+            if let Some(id) = id.or(new).filter(|_| !is_near(then, now, near)) {
+                otherwise.push(changed(&target.family.param_or_unknown(id), then, now));
+            }
+        }
+        if otherwise.is_empty() { Ok(()) } else { Err(broken(&otherwise)) }
     }
 
     /// What the shaft runs at by itself, in words; `None` if it does not.
@@ -168,31 +180,50 @@ impl Promise {
     }
 
     /// Every setting that counts with the source that the drive works with.
-    fn params(&self, own: &Own) -> [Option<u32>; 4] {
+    fn params(&self, own: &Own) -> [Option<u32>; 5] {
         let Mode { source, adds, limit, floor, .. } = &self.mode;
+        let adds = adds.filter(|adds| own.takes(&self.mode, adds.source));
         [
             source.as_ref().map(|source| source.param),
-            adds.filter(|adds| own.takes(&self.mode, adds.source)).map(|adds| adds.param),
+            adds.map(|adds| adds.param),
+            adds.filter(|adds| adds.sum).map(|adds| adds.by),
             *limit,
             floor.as_ref().filter(|floor| own.source == Some(floor.source)).map(|floor| floor.param),
         ]
     }
 
-    fn broken(&self, now: &Own, family: &Family) -> Failure {
-        let params = self.params(&self.own).into_iter().zip(self.params(now)).map(|(then, now)| then.or(now));
-        let values = self.own.values().into_iter().zip(now.values());
-        let changed = params.zip(values).filter(|(_, (old, new))| old != new).filter_map(|(id, (old, new))| {
-            let param = family.param_or_unknown(id?);
-            let word = |value: Option<i64>| value.map_or_else(|| "-".to_owned(), |value| shown(&param, value));
-            Some(format!("{}: {} -> {}", param.label(), word(old), word(new)))
-        });
-        let changed = changed.collect::<Vec<_>>().join(", ");
-        let text = both!(
-            "the drive would run otherwise than was agreed to, its own settings in force have changed: {changed}",
-            "der Antrieb liefe anders als vereinbart, seine eigenen wirksamen Einstellungen haben sich geändert: {changed}"
-        );
-        otherwise(text)
+    /// How far each may be from what it was. Of a sum of which the run sets a part, and of what is led by that, nothing is agreed to.
+    fn wavering(&self) -> [u64; 5] {
+        let is_led = self.led || self.mode.adds.is_some_and(|adds| adds.sum);
+        [0, if is_led { u64::MAX } else { wavers(self.own.adds.unwrap_or(0)) }, 0, 0, 0]
     }
+
+    /// Every setting that was agreed to: what it was, and how far it may be from that.
+    fn settings(&self) -> Vec<(u32, Option<i64>, u64)> {
+        let rows = self.params(&self.own).into_iter().zip(self.own.values()).zip(self.wavering());
+        rows.filter_map(|((id, value), near)| Some((id?, value, near))).filter(|row| row.2 < u64::MAX).collect()
+    }
+}
+
+fn is_near(then: Option<i64>, now: Option<i64>, near: u64) -> bool {
+    match (then, now) {
+        _ if near == u64::MAX => true,
+        (Some(then), Some(now)) => then.abs_diff(now) <= near,
+        (then, now) => then == now,
+    }
+}
+
+fn changed(param: &Param, then: Option<i64>, now: Option<i64>) -> String {
+    let word = |value: Option<i64>| value.map_or_else(|| "-".to_owned(), |value| shown(param, value));
+    format!("{}: {} -> {}", param.label(), word(then), word(now))
+}
+
+fn broken(changed: &[String]) -> Failure {
+    let changed = changed.join(", ");
+    otherwise(both!(
+        "the drive would run otherwise than was agreed to, its own settings in force have changed: {changed}",
+        "der Antrieb liefe anders als vereinbart, seine eigenen wirksamen Einstellungen haben sich geändert: {changed}"
+    ))
 }
 
 /// Fails if somebody else has started the drive since it was shown without power: while somebody was asked.
@@ -215,60 +246,67 @@ pub async fn demand_as_shown(session: &mut Session<'_>, target: &mut Target, sho
 }
 
 fn otherwise(text: Text) -> Failure {
-    Failure::new(Class::Forbidden, "forbidden.otherwise", text).hint(both!(
+    Failure::new(Class::Forbidden, OTHERWISE, text).hint(both!(
         "another data set, an input, or somebody else: say it again to see what it runs at now",
         "ein anderer Datensatz, ein Eingang oder jemand anderes: noch einmal aufrufen zeigt, womit er jetzt liefe"
     ))
 }
 
-/// Whether a run that is held still leads its shaft where was agreed to.
+/// When it was last looked at whether a run still leads its shaft where was agreed to.
 #[derive(Debug, Default)]
-pub struct Course {
+pub(super) struct Course {
     looked: Option<Tick>,
     /// Where the ramp was.
     ramp: Option<i64>,
-    /// The settings themselves are looked at first: a ramp beside a goal that is led goes its way as one towards it does.
-    doubts: bool,
-}
-
-impl Course {
-    /// Of a run whose setpoint may be led.
-    pub fn led(led: bool) -> Self {
-        Course { doubts: led, ..Course::default() }
-    }
+    /// Every setting was what was shown, since the run began: from then on the way of the ramp tells.
+    agrees: bool,
+    /// The setting that is looked at next.
+    next: usize,
 }
 
 impl Motor<'_, '_> {
     /// Fails if the drive leads the shaft away from its goal because its own settings have changed, or works in another mode. Asks now
-    /// and then; that no answer comes is for the look at the state to judge.
-    pub async fn keeps(&mut self, course: &mut Course) -> Result<(), Failure> {
+    /// and then, at the first look for the settings themselves: as long as an answer, which takes so long, comes by then. That none
+    /// comes is for the look at the state to judge.
+    pub(super) async fn keeps(&mut self, takes: Span, by: Option<Tick>) -> Result<(), Failure> {
+        match self.look_at_course(takes, by).await {
+            // A lost port and an interrupt are there for the next question as well.
+            Err(failure) if failure.code != OTHERWISE => {
+                self.course.looked = Some(self.session.now());
+                Ok(())
+            }
+            kept => kept,
+        }
+    }
+
+    /// The same, and fails where no answer comes as well.
+    pub(super) async fn look_at_course(&mut self, takes: Span, by: Option<Tick>) -> Result<(), Failure> {
         let now = self.session.now();
-        if course.looked.is_some_and(|looked| now.since(looked) < LOOKS) {
+        let is_time = |takes: Span| by.is_none_or(|by| now + takes <= by);
+        if self.course.looked.is_some_and(|looked| now.since(looked) < LOOKS) || !is_time(takes) {
             return Ok(());
         }
-        course.looked = Some(now);
+        self.course.looked = Some(now);
         let retries = self.session.set_retries(0);
-        let promise = self.promise();
-        let strayed = match (promise.as_ref(), self.expects) {
-            (Some(promise), Some((_, goal))) => self.strayed(goal, promise, course).await,
-            (Some(promise), None) => self.otherwise_now(promise).await,
-            (None, _) => self.in_another_mode().await,
+        let strayed = match self.expects {
+            _ if self.promises.is_empty() => self.in_another_mode().await,
+            Some((_, goal)) if self.course.agrees => self.strayed(goal).await,
+            _ => self.otherwise_now(takes, by).await,
         };
         self.session.set_retries(retries);
-        // A lost port and an interrupt are there for the next question as well.
-        strayed.ok().flatten().map_or(Ok(()), Err)
+        if strayed.is_err() {
+            self.course.looked = None;
+        }
+        strayed?.map_or(Ok(()), Err)
     }
 
-    /// Holds a run that gives no setpoint of its own, as long as the drive's settings are what was shown.
-    pub async fn hold_as_shown(&mut self, duration: Option<Span>) -> Result<(), Failure> {
-        let mut course = Course::default();
-        self.hold(duration, async |motor: &mut Self, _| motor.keeps(&mut course).await).await
-    }
-
-    /// What was shown of the mode of this run; of one that sets none, of any.
-    fn promise(&self) -> Option<Promise> {
-        let is_of = |promise: &&Promise| self.mode.as_ref().is_none_or(|mode| mode.slug == promise.mode.slug);
-        self.promises.iter().find(is_of).cloned()
+    /// A last look at what was agreed to, where a run found nothing in its way: what changed since the look before shows here.
+    pub(super) async fn kept<T>(&mut self, result: Result<T, Failure>) -> Result<T, Failure> {
+        if result.is_err() || self.promises.is_empty() || self.relieving.is_some() || self.unheard {
+            return result;
+        }
+        self.course = Course::default();
+        self.keeps(Span::ZERO, None).await.and(result)
     }
 
     async fn in_another_mode(&mut self) -> Result<Option<Failure>, Failure> {
@@ -286,21 +324,34 @@ impl Motor<'_, '_> {
         ))))
     }
 
-    async fn strayed(&mut self, goal: i64, promise: &Promise, course: &mut Course) -> Result<Option<Failure>, Failure> {
+    async fn strayed(&mut self, goal: i64) -> Result<Option<Failure>, Failure> {
         let Some(ramp) = role_raw(self.session, self.target, "setpoint-ramp").await? else { return Ok(None) };
         let far = ramp.abs_diff(goal);
         // A goal that is led may have gone away from it meanwhile: that the ramp was farther from where it is now is what counts.
-        let nears = course.ramp.replace(ramp).is_none_or(|before| far < before.abs_diff(goal));
-        if !std::mem::take(&mut course.doubts) && (nears || far <= wavers(goal)) {
-            return Ok(None);
-        }
-        self.otherwise_now(promise).await
+        let nears = self.course.ramp.replace(ramp).is_none_or(|before| far < before.abs_diff(goal));
+        if nears || far <= wavers(goal) { Ok(None) } else { self.otherwise_now(Span::ZERO, None).await }
     }
 
-    /// What the run has set stands in one data set, and another may be in force.
-    async fn otherwise_now(&mut self, promise: &Promise) -> Result<Option<Failure>, Failure> {
-        let now = Own::read(self.session, self.target, &promise.mode, &[]).await?;
-        Ok((!promise.own.is_still(&now)).then(|| promise.broken(&now, &self.target.family)))
+    /// What the run has set stands in one data set, and another may be in force. What there is no time for is looked at the next time.
+    async fn otherwise_now(&mut self, takes: Span, by: Option<Tick>) -> Result<Option<Failure>, Failure> {
+        let family = self.target.family.clone();
+        let settings: Vec<_> = self.promises.iter().flat_map(Promise::settings).collect();
+        while let Some((id, then, near)) = settings.get(self.course.next).copied() {
+            // The data set may be asked for before it.
+            if by.is_some_and(|by| self.session.now() + takes.times(2) > by) {
+                self.course.looked = None;
+                return Ok(None);
+            }
+            let param = family.param_or_unknown(id);
+            let now = working(self.session, self.target, &param).await?;
+            // What is not told is no change.
+            if now.is_some() && !is_near(then, now, near) {
+                return Ok(Some(broken(&[changed(&param, then, now)])));
+            }
+            self.course.next += 1;
+        }
+        (self.course.agrees, self.course.next) = (true, 0);
+        Ok(None)
     }
 }
 

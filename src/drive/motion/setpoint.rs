@@ -190,6 +190,7 @@ impl Motor<'_, '_> {
         let mut has_fallen = travels || looks == 1;
         loop {
             let status = self.look_on().await?;
+            self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
             let movement = self.movement().await?;
             if status >> bit & 1 == 0 {
                 (fell, has_fallen) = (self.session.now(), true);

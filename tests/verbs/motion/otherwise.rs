@@ -110,6 +110,95 @@ fn another_data_set_ends_a_run_whose_setpoint_is_led_at_once() {
     }
 }
 
+/// A setpoint in percent is added to what the drive runs at by its own settings: these are held to as well.
+#[test]
+fn a_run_in_percent_ends_where_the_drive_runs_at_another_setpoint_of_its_own() {
+    let sets = "[[drive]]\nmodel = \"acu\"\nfour = [434, 476]\n\
+                set = { \"412\" = 1, \"414\" = 1, \"434@1\" = 2, \"434@2\" = 3, \"434@3\" = 2, \"476@3\" = 2, \"228\" = -30, \"418\" = 0 }\n";
+    let adds = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 5, \"418\" = 0 }\n";
+    let way = "0s, 10%\n6s, 20%\n";
+    for typed in ["10%", "--ramp 10%:20%:6s", "--profile {dir}/way.csv"] {
+        let typed = format!("-v -a 1 --yes sollwert {typed} --enable --hold --duration 7s");
+        for (bench, changed, told) in [
+            (sets, "\"414\" = 2", "P.434"),
+            (sets, "\"414\" = 3", "P.476"),
+            (adds, "\"228\" = -30", "P.228"),
+            (adds, "\"434\" = 1", "P.434"),
+            (adds, "\"419\" = 5", "P.419"),
+        ] {
+            let calm = antrieb(&typed).on(bench).file("way.csv", way).exits(0).sent();
+            let enabled = calm.iter().position(|hex| hex.starts_with("01 06 01 9A 00 0F")).unwrap() + 1;
+            for after in [enabled - 1, enabled, enabled + 4, enabled + 40] {
+                let event = format!("{bench}[[drive.event]]\nafter_telegrams = {after}\nset = {{ {changed} }}\n");
+                let run = antrieb(&typed).on(&event).file("way.csv", way).json().exits(8);
+                assert_eq!(run.error()["code"], "forbidden.otherwise", "{typed} {changed} {after}: {}", run.value);
+                assert!(run.err.contains(told), "{typed} {changed} {after}: {}", run.err);
+                assert_eq!(run.data("/stop/acknowledged"), true, "{typed} {changed} {after}");
+            }
+        }
+    }
+}
+
+/// A controller that works in percent may lead the internal setpoint: that is no change of a setting.
+#[test]
+fn what_a_controller_makes_of_percents_ends_no_run() {
+    let bench = |configuration: u32| {
+        format!(
+            "[[drive]]\nmodel = \"acu\"\nset = {{ \"412\" = 1, \"434\" = 1, \"228\" = 5, \"418\" = 0, \"30\" = {configuration} }}\n\
+             [[drive.event]]\nat = \"3s\"\nset = {{ \"228\" = 20 }}\n"
+        )
+    };
+    let typed = "-a 1 --yes sollwert 10% --enable --hold --duration 5s";
+    antrieb(typed).on(&bench(111)).json().exits(0);
+    antrieb(typed).on(&bench(110)).json().exits(8);
+}
+
+/// Nor is it agreed to where somebody waits until the setpoint is reached, whenever it comes.
+#[test]
+fn another_data_set_ends_a_run_that_waits_for_its_setpoint_at_once() {
+    let sets = "[[drive]]\nmodel = \"acu\"\nfour = [434]\n\
+                set = { \"412\" = 1, \"414\" = 1, \"434@1\" = 2, \"434@2\" = 3, \"228\" = -30, \"418\" = 0 }\n";
+    for typed in ["--until reached", "--until reached --hold --duration 1s", ""] {
+        let typed = format!("-v -a 1 --yes sollwert 10Hz --enable {typed}");
+        let calm = antrieb(&typed).on(sets).exits(0).sent();
+        let enabled = calm.iter().position(|hex| hex.starts_with("01 06 01 9A 00 0F")).unwrap() + 1;
+        let given = calm[enabled..].iter().position(|hex| hex.starts_with("01 65 01 E4 00 00 03 E8")).unwrap();
+        let given = enabled + given + 1;
+        for after in enabled..=given {
+            let event = format!("{sets}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"414\" = 2 }}\n");
+            let run = antrieb(&typed).on(&event).json().exits(8);
+            assert_eq!(run.error()["code"], "forbidden.otherwise", "{typed} {after}: {}", run.value);
+            assert_eq!(run.data("/stop/acknowledged"), true, "{typed} {after}");
+            let at = |what: &str| {
+                let line =
+                    run.err.lines().find(|line| line.contains(what)).unwrap_or_else(|| panic!("{what}: {}", run.err));
+                line.split_whitespace().next().unwrap().parse::<f64>().unwrap()
+            };
+            assert!(at("> 01 06 01 9A 00 07") - at("> 01 06 01 9A 00 0F") < 800.0, "{typed} {after}: {}", run.err);
+        }
+    }
+}
+
+/// What changes between the last look and the end is no success either.
+#[test]
+fn another_data_set_in_the_last_second_is_told() {
+    let sets = "[[drive]]\nmodel = \"acu\"\nfour = [434]\n\
+                set = { \"412\" = 1, \"414\" = 1, \"434@1\" = 2, \"434@2\" = 3, \"228\" = -30, \"418\" = 0 }\n";
+    for run in
+        ["sollwert 10Hz --enable", "sollwert --ramp 5Hz:10Hz:2s --enable", "sollwert 10Hz --source line --enable"]
+    {
+        let typed = format!("-v -a 1 --yes {run} --hold --duration 2s");
+        let calm = antrieb(&typed).on(sets).exits(0).sent();
+        let stop = calm.iter().rposition(|hex| hex.starts_with("01 06 01 9A 00 07")).unwrap() + 1;
+        for after in stop - 12..stop {
+            let event = format!("{sets}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"414\" = 2 }}\n");
+            let run = antrieb(&typed).on(&event).json().exits(8);
+            assert_eq!(run.error()["code"], "forbidden.otherwise", "{typed} {after}: {}", run.value);
+            assert_eq!(run.data("/stop/acknowledged"), true, "{typed} {after}");
+        }
+    }
+}
+
 /// Somebody else starts it: it is shown, or nothing is done.
 #[test]
 fn a_drive_that_somebody_else_starts_while_it_asks_is_left_alone() {

@@ -135,7 +135,7 @@ fn on_a_slow_line_the_values_of_a_run_take_turns() {
 fn a_value_that_was_refused_is_left_out_of_the_view() {
     let (model, keys, line) = DRIVES[1];
     let mut refused = 0;
-    for once in 68..=73 {
+    for once in 71..=76 {
         let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"exception\"");
         let seen = run((model, &keys, line), "--view --duration 4s", &mut |_, _, _| {});
         let asked = |from: usize, hex: &str| seen.sent[from..].iter().filter(|sent| sent.1 == hex).count();
