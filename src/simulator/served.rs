@@ -98,6 +98,10 @@ impl Served for Profibus {
         Some(self.line())
     }
 
+    fn stuck_until(&self) -> Tick {
+        Profibus::stuck_until(self)
+    }
+
     fn meant(&self, set: LineSetting) -> LineSetting {
         LineSetting { baud: set.baud, ..self.line() }
     }

@@ -16,6 +16,8 @@ use crate::tick::{Span, Tick};
 
 /// So long a frequency may stay as it is before something stronger is done, and then before the stop is given up.
 const STUCK: Span = Span::from_secs(10);
+/// So long at least the stop of a motor goes out where nobody is heard.
+pub(super) const INSISTED: Span = Span::from_secs(6);
 /// So long a motor is watched whose control was given back.
 const WATCHED: Span = Span::from_millis(500);
 /// The output frequency, 0.01 Hz (5.3).
@@ -46,7 +48,7 @@ impl Exchange<'_, '_> {
     /// Stops the motor, proves it, and lets the slave go. Nobody's interrupt from before keeps it from that; one that comes
     /// meanwhile lets a motor that we have started coast.
     pub async fn leave(mut self) -> Ending {
-        self.insists = true;
+        self.insists();
         self.line.note_interrupts();
         self.words = self.mode().coast().filter(|_| self.still.coasts).unwrap_or(self.mode().stop());
         self.pkw = Pkw::default();
@@ -71,6 +73,14 @@ impl Exchange<'_, '_> {
             seen,
             notes: std::mem::take(&mut self.notes),
             failure: stopped.and(returned).and(released).err(),
+        }
+    }
+
+    /// From here on the end goes out, for a while also where nobody is heard.
+    pub(super) fn insists(&mut self) {
+        (self.insists, self.ends) = (true, None);
+        if self.ours {
+            self.at_least = self.line.now() + INSISTED;
         }
     }
 

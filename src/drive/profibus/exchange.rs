@@ -68,6 +68,10 @@ pub struct Exchange<'l, 'a> {
     heard: Tick,
     /// So long nothing may be heard of it.
     unheard: Span,
+    /// Nor before this moment is it given up: its end has begun.
+    pub(super) at_least: Tick,
+    /// From here on the words are those of the stop: the time of the run is over.
+    pub(super) ends: Option<Tick>,
     /// A start word went out.
     pub(super) started: bool,
     /// The motor turned, and no start word of ours had gone out.
@@ -109,6 +113,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
             still: Still::new(mode.slow()),
             heard: now,
             unheard: watchdog + BEYOND,
+            at_least: now,
+            ends: None,
             started: false,
             driven: false,
             ours: false,
@@ -152,6 +158,9 @@ impl<'l, 'a> Exchange<'l, 'a> {
     async fn once(&mut self) -> Result<Cycle, Failure> {
         let waits = self.station.waits();
         self.line.rest(waits).await?;
+        if self.ends.take_if(|end| *end <= self.line.now()).is_some() {
+            self.words = self.mode.stop();
+        }
         let outputs = self.mode.outputs(self.pkw, self.words);
         self.station.outputs().copy_from_slice(&outputs);
         let (station, asked) = self.station.question();
@@ -189,8 +198,10 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 }
                 true
             }
-            Class::Silence | Class::Garbled if self.insists || self.seen.is_some() => {
-                self.line.now().since(self.heard) < self.unheard
+            // A port that takes no bytes may take them again, and the motor may run on meanwhile.
+            _ if failure.is_unheard() && (self.insists || self.seen.is_some()) => {
+                let now = self.line.now();
+                now < self.at_least || now.since(self.heard) < self.unheard
             }
             _ => false,
         }

@@ -2,6 +2,7 @@
 //!
 //! FDL status, Slave_Diag and Get_Cfg are answered before and beside any parameterisation; nothing is changed by them.
 
+use super::ending::INSISTED;
 use super::exchange::Exchange;
 use super::line::Line;
 use super::trouble;
@@ -90,6 +91,7 @@ async fn answers(line: &mut Line<'_>, address: u8, questions: u32) -> Result<Ans
 /// What a slave says that it is configured for, and whether that is the Basic block; `None` where it says nothing. Whoever `insists` is
 /// not kept from it by an interrupt.
 pub async fn configured(line: &mut Line<'_>, address: u8, insists: bool) -> Result<Option<(String, bool)>, Failure> {
+    let until = line.now() + INSISTED;
     loop {
         let answer = line.ask(address, Asked::service(Service::GetCfg, Vec::new()), Some(REPEATS)).await;
         return match answer {
@@ -97,6 +99,7 @@ pub async fn configured(line: &mut Line<'_>, address: u8, insists: bool) -> Resu
                 line.note_interrupts();
                 continue;
             }
+            Err(failure) if insists && failure.is_unheard() && line.now() < until => continue,
             Ok(Ok(Reply::Frame { data, .. })) if !data.is_empty() => {
                 Ok(Some((Hex(&data).to_string(), is_basic(&data))))
             }

@@ -178,7 +178,8 @@ impl Exchange<'_, '_> {
 
     /// Stops the motor from now on, as soon as data are exchanged: OFF1, or OFF3. [`Exchange::leave`] proves it.
     pub async fn stops(&mut self, coasts: bool) -> Result<(), Failure> {
-        (self.insists, self.ours) = (true, true);
+        self.ours = true;
+        self.insists();
         if coasts {
             self.coasts();
         }
@@ -348,7 +349,7 @@ impl Exchange<'_, '_> {
         shown: &mut Shown,
     ) -> Result<(), Failure> {
         let end: Option<Tick> = duration.map(|duration| self.line.now() + duration);
-        run.held = true;
+        (run.held, self.ends) = (true, end);
         shown.comes_to(self, "held", end);
         while end.is_none_or(|end| self.line.now() < end) {
             let seen = self.obeying().await?;

@@ -113,7 +113,7 @@ impl Exchange<'_, '_> {
 
 /// Who is not heard between two samples is a gap in the next.
 fn heard(kept: Result<(), Failure>) -> Result<(), Failure> {
-    kept.or_else(|why| if matches!(why.class, Class::Silence | Class::Garbled) { Ok(()) } else { Err(why) })
+    kept.or_else(|why| if why.is_unheard() { Ok(()) } else { Err(why) })
 }
 
 impl Source for Exchange<'_, '_> {

@@ -34,6 +34,8 @@ pub struct Profibus {
     received: u64,
     /// A telegram of the master is on its way: bytes that are still to come of it.
     rest: usize,
+    /// From when until when the master's port takes no bytes.
+    stuck: Vec<(Tick, Tick)>,
 }
 
 /// What happens to replies on their way, and to requests.
@@ -129,7 +131,19 @@ impl Profibus {
             answered: 0,
             received: 0,
             rest: 0,
+            stuck: Vec::new(),
         }
+    }
+
+    /// The port of the master takes no bytes in these times.
+    pub(crate) fn stuck(self, stuck: Vec<(Tick, Tick)>) -> Self {
+        Profibus { stuck, ..self }
+    }
+
+    /// Until when the port of the master takes no bytes.
+    pub fn stuck_until(&self) -> Tick {
+        let is_now = |(at, until): &&(Tick, Tick)| (*at..*until).contains(&self.now);
+        self.stuck.iter().find(is_now).map_or(Tick::ZERO, |(_, until)| *until)
     }
 
     /// Lets the judge allow for this much where bytes may be read late.

@@ -20,6 +20,16 @@ struct File {
     line: LineTable,
     #[serde(default)]
     module: Vec<ModuleTable>,
+    #[serde(default)]
+    stuck: Vec<StuckTable>,
+}
+
+/// The port of the master takes no bytes for a while.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StuckTable {
+    at: Spanned<String>,
+    by: Spanned<String>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -90,7 +100,12 @@ impl Profibus {
         let LineTable { flips, losses, echo, seed, .. } = *table;
         let disturbance = Disturbance { flips, losses, echo, latency };
         let setups = file.module.iter().map(|row| reader.module(row)).collect::<Result<_, _>>()?;
-        Ok(Profibus::new(LineSetting::rtu(baud, Parity::Even), setups, disturbance, seed, registry))
+        let spells = file.stuck.iter().map(|row| {
+            let at = Tick::ZERO + reader.time("at", &row.at)?;
+            Ok((at, at + reader.time("by", &row.by)?))
+        });
+        let stuck = spells.collect::<Result<_, _>>()?;
+        Ok(Profibus::new(LineSetting::rtu(baud, Parity::Even), setups, disturbance, seed, registry).stuck(stuck))
     }
 }
 

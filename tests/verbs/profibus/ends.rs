@@ -1,7 +1,7 @@
 //! Every end of a run over PROFIBUS: the stop word until the frequency is 0, what was lent given back, and only then outputs of zero.
 
 use super::rig::{Came, Hand, RESTS, Said, die, does, event, module, no_lost_port_leaves_a_shaft_turning};
-use antrieb::tick::Span;
+use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 
 /// A run that takes what it needs.
@@ -371,6 +371,49 @@ fn dice_over_ends_and_steps_leave_no_shaft_turning() {
             assert!(outcome.data.is_some());
             let turned = came.moments().iter().any(|moment| moment.shaft != 0);
             assert!(!turned || came.motion().standing != Some(true) || came.stop().acknowledged, "{what}");
+        }
+    }
+}
+
+/// The shaft came down while nobody saw it.
+const UNSEEN: &str = "forbidden.standstill_unproven";
+
+/// The port takes no bytes for so long at speed, in the ramp down and around the end of the time, and then takes them again: nothing but
+/// our stop takes the motor back, because P.703 keeps it running.
+#[test]
+fn a_port_that_takes_bytes_again_takes_the_stop() {
+    for watchdog in ["", " --watchdog 200ms", " --watchdog 10s"] {
+        let line = format!("sollwert 20Hz --enable --hold --duration 4s --take-control{watchdog}");
+        for (at, by) in
+            ["5s", "7s", "8s"].iter().flat_map(|at| ["300ms", "1500ms", "2600ms", "4s", "5500ms"].map(|by| (at, by)))
+        {
+            let stuck = format!("[[stuck]]\nat = \"{at}\"\nby = \"{by}\"\n");
+            let came = does(&line, &module(RESTS, "", &stuck), Hand::default());
+            let what = format!("{watchdog} {at} {by}: {:?}", came.failure());
+            came.holds(&what);
+            assert!(came.stop().acknowledged && came.is_given_back(), "{what}");
+            assert!(["", "refused.left", "port.stuck", UNSEEN].contains(&came.code().0), "{what}");
+            let spell = |text: &str| text.parse::<Span>().unwrap();
+            let (from, over) = (Tick::ZERO + spell(at), Tick::ZERO + spell(at) + spell(by));
+            let sent = came.sent.iter().filter(|(sent, _)| (from..over).contains(sent)).count();
+            assert!(sent <= 16, "{what}: {sent} telegrams into the stuck port");
+        }
+    }
+}
+
+#[test]
+fn a_port_that_takes_no_bytes_for_a_while_keeps_no_stop_from_its_motor() {
+    for verb in ["statemachine disable", "statemachine disable-voltage", "sollwert 0"] {
+        // While the configuration is asked for, the slave is led, and the motor stops.
+        for at in ["1250ms", "1300ms", "1400ms", "1500ms", "1800ms"] {
+            for by in ["400ms", "1s", "2600ms"] {
+                let stuck = format!("[[stuck]]\nat = \"{at}\"\nby = \"{by}\"\n");
+                let came = does(verb, &(driven(1, "") + &stuck), Hand::default());
+                let what = format!("{verb} {at} {by}: {:?}", came.failure());
+                assert!(["", UNSEEN].contains(&came.code().0), "{what}");
+                came.holds(&what);
+                assert!(came.stop().acknowledged, "{what}");
+            }
         }
     }
 }

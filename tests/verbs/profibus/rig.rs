@@ -241,11 +241,10 @@ impl Came {
     /// The shaft at every telegram.
     pub(super) fn moments(&self) -> Vec<Moment> {
         let mut bus = again(&self.bench);
-        let line = bus.line();
         let say = |(at, bytes): &(Tick, Vec<u8>)| {
             bus.advance(*at);
             let (shaft, [_, fed]) = (bus.shaft(3).unwrap(), bus.turning());
-            bus.master_sends(*at, line, bytes);
+            puts(&mut bus, *at, bytes);
             Moment { at: *at, said: said(bytes), shaft, is_fed: fed != 0 }
         };
         self.sent.iter().map(say).collect()
@@ -254,12 +253,11 @@ impl Came {
     /// The shaft an hour after this program was killed, before each telegram that it would have said.
     pub(super) fn killed(&self) -> Vec<i64> {
         let mut bus = again(&self.bench);
-        let line = bus.line();
         let die = |(at, bytes): &(Tick, Vec<u8>)| {
             let mut alone = bus.clone();
             alone.advance(Tick::ZERO + Span::from_secs(3_600));
             bus.advance(*at);
-            bus.master_sends(*at, line, bytes);
+            puts(&mut bus, *at, bytes);
             alone.shaft(3).unwrap()
         };
         self.sent.iter().map(die).collect()
@@ -319,6 +317,14 @@ impl Came {
 
 fn again(bench: &str) -> Profibus {
     Profibus::from_toml("line.toml", bench, registry()).unwrap()
+}
+
+/// What is said again goes out as it did: later, or not at all, where the port took no bytes.
+fn puts(bus: &mut Profibus, at: Tick, bytes: &[u8]) {
+    let (line, free) = (bus.line(), bus.stuck_until().max(at));
+    if free.since(at) <= Span::from_millis(500) {
+        bus.master_sends(free, line, bytes);
+    }
 }
 
 /// Read once a thread.
