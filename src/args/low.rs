@@ -390,12 +390,20 @@ fn apart(text: &str, part: &str) -> Failure {
         "'{text}': {PROJECT} says that {part} is not on the line of the others",
         "'{text}': laut {PROJECT} ist {part} nicht an der Leitung der anderen"
     );
-    bad_setting("address", message).hint(both!(
-        "this verb works on one line: name its port with -p, or one call for each line; `plan`, `apply`, `check` and every stop go \
-         over all",
-        "dieser Befehl arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; `plan`, `apply`, \
-         `check` und jeder Halt gehen über alle"
+    bad_setting("address", message).with(APART, part).hint(both!(
+        "this works on one line: name its port with -p, or one call for each line; what reads, `dataset load`, `plan`, `apply` and every \
+         stop go over all",
+        "das arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; was liest, `dataset load`, `plan`, \
+         `apply` und jeder Halt gehen über alle"
     ))
+}
+
+/// Who is on another line, among the facts of a failure.
+const APART: &str = "apart";
+
+/// Whether the drives that were meant lie on several lines, and that is why it failed.
+pub fn is_apart(failure: &Failure) -> bool {
+    failure.context.iter().any(|(fact, _)| *fact == APART)
 }
 
 /// No file names a drive; `typed` is what was said in its place.

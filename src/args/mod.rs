@@ -17,7 +17,7 @@ mod wrong;
 pub use address::{Addresses, parse_addresses};
 pub use choices::{named_drives, named_groups, ports_there, usb_ports};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
-pub use low::{Environment, Origin, Typed};
+pub use low::{Environment, Origin, Typed, is_apart};
 pub use motion::{KeypadArgs, MotionArgs, StopArg};
 pub use plant::{
     Place, called, in_directory, letterhead, place, places, port_from_elsewhere, project_path, settings_of_plant,

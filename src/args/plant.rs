@@ -75,7 +75,7 @@ pub fn settings_over_lines(globals: &Globals, environment: &Environment) -> Resu
     alone.variables.remove("ANTRIEB_PORT");
     let line = |names: Vec<String>| {
         let globals = Globals { address: Some(names.join(",")), port: Vec::new(), ..globals.clone() };
-        Settings::resolve(&globals, &alone)
+        Settings::resolve(&globals, &alone).map(|line| Settings { is_one_of_lines: true, ..line })
     };
     let mut lines = lists.into_iter().map(line).collect::<Result<Vec<_>, _>>()?;
     // What is set otherwise on one port goes beside it.

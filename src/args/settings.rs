@@ -76,6 +76,8 @@ pub struct Settings {
     pub yes: bool,
     /// What holds on each of several lines, for what goes over them ([`settings_over_lines`](super::settings_over_lines)).
     pub lines: Vec<Settings>,
+    /// Whether these are of one of several lines.
+    pub is_one_of_lines: bool,
     /// What was typed, for who works on a whole plant.
     pub typed: Typed,
     /// Where each of them comes from that somebody said, by the name that it has in a file.
@@ -147,6 +149,7 @@ impl Settings {
             dry_run: globals.dry_run,
             yes: globals.yes,
             lines: Vec::new(),
+            is_one_of_lines: false,
             typed: Typed::new(globals, environment),
             origins: low.into_origins(),
         })

@@ -12,8 +12,10 @@ mod typed;
 mod unfit;
 mod values;
 
-use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant, settings_over_lines};
-use crate::command::{Context, Entry, Flow, Typed, file_failure, on_bus};
+use crate::args::{
+    ColorChoice, Environment, Globals, Settings, is_apart, language, settings_of_plant, settings_over_lines,
+};
+use crate::command::{Context, Entry, Flow, OverLines, Typed, file_failure, on_bus, over_lines};
 use crate::drive::{Calls, Interrupt};
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
@@ -115,10 +117,14 @@ fn shown<'o>(stream: Stream<'o>, carry_out: impl FnOnce(&RefCell<Stream<'o>>) ->
 fn settings_for(what: &What, globals: &Globals, environment: &Environment) -> Result<Settings, Failure> {
     let resolve = match what {
         What::Work(entry, _) if entry.of_plant => settings_of_plant,
-        What::Work(_, verb) if verb.goes_over_lines() => settings_over_lines,
+        What::Work(_, verb) if !matches!(verb.over_lines(), OverLines::One(_)) => settings_over_lines,
         _ => Settings::resolve,
     };
-    let settings = what.unkept(globals).map_or_else(|| resolve(globals, environment), Err)?;
+    let instead = |failure: Failure| match what {
+        What::Work(_, verb) if is_apart(&failure) => verb.over_lines().refused(failure),
+        _ => failure,
+    };
+    let settings = what.unkept(globals).map_or_else(|| resolve(globals, environment).map_err(instead), Err)?;
     what.unspoken(&settings).map_or(Ok(settings), Err)
 }
 
@@ -379,7 +385,7 @@ fn work(
         // From the first moment on a signal is heard, and does not just kill us.
         let signals = Signals::listen(entry.turns);
         let outcome = tokio::select! {
-            outcome = verb.run(&mut context) => outcome,
+            outcome = over_lines::run(verb, &mut context) => outcome,
             () = obey_keys(keys, stream, &interrupt, watch.is_some()) => Ok(Outcome::default()),
             () = signals.obey(&interrupt, console) => Ok(Outcome::default()),
         };

@@ -1,5 +1,6 @@
 //! `diag`: what ails the drive, or the line to it?
 
+use super::lines::OverLines;
 use super::profibus::{self, ModeArg, SlaveArgs};
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
@@ -10,7 +11,7 @@ use crate::drive::{
 };
 use crate::failure::{Class, Failure};
 use crate::gate::{Counters, Hazard, Permit, Question};
-use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value, Word};
+use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, OrLines, Outcome, Value, Word};
 use crate::profile::{Cause, DataSets, Family, Registry};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
@@ -69,7 +70,11 @@ impl Verb for Args {
         "antrieb --port sim --protocol dp -a 3 diag --yes",
     ];
     const UPPER: Upper = Upper::drive(90).each(1, "question of --link-test or --count");
-    type Prints = Document<OrLine<Diag>>;
+    type Prints = Document<OrLine<OrLines<Diag>>>;
+
+    fn over_lines(&self) -> OverLines {
+        if self.clear { OverLines::One(None) } else { OverLines::Each }
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

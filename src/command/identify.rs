@@ -1,11 +1,12 @@
 //! `identify`: what is at an address, and how does it want to be talked to?
 
+use super::lines::OverLines;
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, terms};
 use crate::args::{Settings, Takes};
 use crate::drive::{AccessError, Finding, Inquiry, Recognised, Session, Terms, Upper, introduce};
 use crate::failure::Failure;
-use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
+use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrLines, OrPlan, Outcome};
 use crate::profile::{DataSets, Family, Registry, Role};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
@@ -40,7 +41,11 @@ impl Verb for Args {
     const EXAMPLES: &'static [&'static str] =
         &["antrieb --port sim -a 1 identify", "antrieb --port sim -a 1,2 identify --json"];
     const UPPER: Upper = Upper::drive(60);
-    type Prints = Document<OrPlan<Identify>>;
+    type Prints = Document<OrPlan<OrLines<Identify>>>;
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::Each
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

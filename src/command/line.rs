@@ -2,6 +2,7 @@
 
 use super::again::one_of;
 use super::asking::denied;
+use super::lines::OverLines;
 use super::profibus::SlaveArgs;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target_to_change};
@@ -70,6 +71,10 @@ impl Verb for Args {
         &["antrieb --port sim -a 1 line show", "antrieb --port sim -a 1 line set --baud 57600 --dry-run"];
     const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));
     type Prints = Document<OrRead<Relocation>>;
+
+    fn over_lines(&self) -> OverLines {
+        if matches!(self.what, What::Show) { OverLines::Each } else { OverLines::One(None) }
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::line::{move_drive, show};
+use super::lines::OverLines;
 use super::verb::{Verb, Working};
 use crate::args::Takes;
 use crate::drive::Upper;
@@ -43,6 +44,10 @@ impl Verb for Args {
         &["antrieb --port sim -a 1 protocol show", "antrieb --port sim -a 1 protocol set ascii --dry-run"];
     const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));
     type Prints = Document<OrRead<Relocation>>;
+
+    fn over_lines(&self) -> OverLines {
+        if matches!(self.what, What::Show) { OverLines::Each } else { OverLines::One(None) }
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

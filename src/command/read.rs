@@ -1,5 +1,6 @@
 //! `read`: values of parameters.
 
+use super::lines::OverLines;
 use super::profibus::{self, SlaveArgs};
 pub(super) use super::selecting::select_failure;
 use super::verb::{Verb, Working};
@@ -10,7 +11,7 @@ use super::{
 use crate::args::Takes;
 use crate::drive::{Upper, describe};
 use crate::failure::Failure;
-use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
+use crate::outcome::{Data, Document, OrLines, OrPlan, Outcome, Read, Value, Warning};
 use crate::profile::{Family, Selection, Selector, Type};
 use clap::Args as ClapArgs;
 
@@ -54,7 +55,11 @@ impl Verb for Args {
     const UPPER: Upper = Upper::drive(30)
         .each(12, "parameter")
         .unless("Over PROFIBUS a motor that becomes slower under the stop word is waited for as well.");
-    type Prints = Document<OrPlan<Read>>;
+    type Prints = Document<OrPlan<OrLines<Read>>>;
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::Each
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

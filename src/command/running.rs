@@ -117,6 +117,14 @@ impl<'p> Plan<'p> {
     }
 }
 
+/// What to do where a run is wanted of drives of several lines.
+pub(super) fn one_by_one() -> Text {
+    both!(
+        "motion is one drive at a time: name it, as in `antrieb -a NAME …`; every stop goes over all",
+        "bewegt wird immer nur einer: ihn nennen, wie in `antrieb -a NAME …`; jeder Halt geht über alle"
+    )
+}
+
 /// The drives, where several were named.
 pub(super) fn several(settings: &Settings) -> Option<Vec<u8>> {
     match &settings.addresses {

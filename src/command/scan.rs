@@ -4,11 +4,12 @@ mod report;
 mod resume;
 
 use super::Context;
+use super::lines::{OverLines, of_port, one_recording};
 use super::verb::{Flow, Verb, Working};
 use crate::args::{Addresses, Settings, Takes, parse_span};
 use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Document, Event, OrPlan, OrRecord, Outcome, Plan, Scan, SearchNews};
+use crate::outcome::{Data, Document, OrPlan, OrRecord, Outcome, Plan, Scan};
 use crate::text::{Text, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
@@ -91,6 +92,10 @@ impl Verb for Args {
 
     fn streams(&self) -> Option<Flow> {
         Some(Flow::Search)
+    }
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::Itself
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -181,8 +186,12 @@ fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> 
 /// The ports that were named, or the only one that there is.
 fn ports(context: &mut Context<'_>) -> Result<Vec<Port>, Failure> {
     let settings = context.settings;
+    let ports: Vec<Port> = match settings.lines.is_empty() {
+        true => settings.ports.clone(),
+        false => settings.lines.iter().filter_map(|line| line.port.clone()).collect(),
+    };
     let usage = |code: &str, message: Text| Err(Failure::new(Class::Usage, code, message));
-    let mut named = settings.ports.iter();
+    let mut named = ports.iter();
     while let Some(port) = named.next() {
         if named.as_slice().contains(port) {
             return usage(
@@ -194,19 +203,11 @@ fn ports(context: &mut Context<'_>) -> Result<Vec<Port>, Failure> {
             );
         }
     }
-    if settings.ports.len() > 1 && settings.trace.is_some() {
-        return usage(
-            "usage.trace",
-            both!(
-                "trace: one file holds one line; expected one port",
-                "trace: eine Datei fasst eine Leitung; erwartet: ein Anschluss"
-            ),
-        );
-    }
-    if settings.ports.is_empty() {
+    one_recording(settings, ports.len())?;
+    if ports.is_empty() {
         return Ok(vec![open_port(None, context.observe)?]);
     }
-    Ok(settings.ports.clone())
+    Ok(ports)
 }
 
 /// Searches every port, all at once.
@@ -223,26 +224,16 @@ async fn search_all(
     let searches = ports.iter().map(|port| {
         let name = port.to_string();
         let tell = |event| (observe.borrow_mut())(event);
+        // What the project file says of its drives.
+        let line = settings.lines.iter().find(|line| line.port.as_ref() == Some(port));
+        let (settings, addresses) = line.map_or((settings, &plan.addresses[..]), |line| (line, line.addresses.named()));
         async move {
             let mut tell = |event| tell(if several { of_port(&name, event) } else { event });
             let mut session = super::open(port, settings, registry, interrupt, &mut tell).await?;
             let before = before.map(|scan| asked_before(scan, &name)).transpose()?;
-            let plan = ScanPlan { before: before.unwrap_or_default(), ..plan.clone() };
+            let plan = ScanPlan { before: before.unwrap_or_default(), addresses: addresses.to_vec(), ..plan.clone() };
             Ok(scan(&mut session, &plan, registry).await)
         }
     });
     join_all(searches).await
-}
-
-/// What happens on one of several ports, with its name.
-pub(super) fn of_port(port: &str, event: Event) -> Event {
-    match event {
-        Event::Sought(news) => Event::Sought(Box::new(SearchNews { is_named: true, ..*news })),
-        Event::Progress { done, total, what } => Event::Search { port: port.to_owned(), done, total, what },
-        Event::Telegram { at_us, direction, hex, meaning } => {
-            let meaning = both!("{port}: {meaning}", "{port}: {meaning}", meaning);
-            Event::Telegram { at_us, direction, hex, meaning }
-        }
-        event => event,
-    }
 }

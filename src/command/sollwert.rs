@@ -11,6 +11,7 @@ mod unit;
 mod wanted;
 mod zero;
 
+use super::lines::OverLines;
 use super::profibus::SlaveArgs;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
@@ -20,7 +21,7 @@ use crate::drive::motion::{self, Motor, Situation};
 use crate::drive::{Panel, Session, Target, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Document, OrMotion, OrRecord, Outcome, Sollwert};
+use crate::outcome::{Document, OrLines, OrMotion, OrRecord, Outcome, Sollwert};
 use crate::profile::Family;
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -151,15 +152,19 @@ impl Verb for Args {
     );
     const ALIAS: Option<&'static str> = Some("setpoint");
     const TURNS: bool = true;
-    type Prints = OrRecord<Document<OrMotion<Sollwert>>>;
+    type Prints = OrRecord<Document<OrMotion<OrLines<Sollwert>>>>;
 
     fn streams(&self) -> Option<Flow> {
         let is_held = self.motion.hold || self.jog.is_some() || self.ramp.is_some() || self.profile.is_some();
         is_held.then_some(Flow::Run { view: self.motion.wants_keys() })
     }
 
-    fn goes_over_lines(&self) -> bool {
-        self.value.as_deref().is_some_and(zero::is_said)
+    fn over_lines(&self) -> OverLines {
+        match self.value.as_deref() {
+            Some(value) if zero::is_said(value) => OverLines::Itself,
+            None if self.streams().is_none() => OverLines::Each,
+            _ => OverLines::One(Some(running::one_by_one())),
+        }
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -4,6 +4,7 @@ mod contacts;
 mod over_profibus;
 mod several;
 
+use super::lines::OverLines;
 use super::profibus::{ModeArg, SlaveArgs};
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
@@ -15,7 +16,7 @@ use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{
-    Data, Document, ErrorDoc, Event, OrMotion, OrRecord, Outcome, StateReport, StateRow, Statemachine,
+    Data, Document, ErrorDoc, Event, OrLines, OrMotion, OrRecord, Outcome, StateReport, StateRow, Statemachine,
 };
 use crate::profile::{DriveState, Family, Registry};
 use crate::text::{Text, both};
@@ -137,7 +138,7 @@ impl Verb for Args {
     );
     const ALIAS: Option<&'static str> = Some("state");
     const TURNS: bool = true;
-    type Prints = OrRecord<Document<OrMotion<Statemachine>>>;
+    type Prints = OrRecord<Document<OrMotion<OrLines<Statemachine>>>>;
 
     fn streams(&self) -> Option<Flow> {
         let action = self.action.as_ref().filter(|action| !action.is_stop())?;
@@ -145,8 +146,12 @@ impl Verb for Args {
         (motion.hold || motion.wants_keys()).then_some(Flow::Run { view: motion.wants_keys() })
     }
 
-    fn goes_over_lines(&self) -> bool {
-        self.action.as_ref().is_some_and(Action::is_stop)
+    fn over_lines(&self) -> OverLines {
+        match &self.action {
+            None | Some(Action::Show) => OverLines::Each,
+            Some(action) if action.is_stop() => OverLines::Itself,
+            _ => OverLines::One(Some(running::one_by_one())),
+        }
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -2,6 +2,7 @@
 //! [`VERBS`](super::VERBS): dispatch, help, completions, man pages, schemas and the matrix of tests walk that list.
 
 use super::Context;
+use super::lines::OverLines;
 use crate::args::Takes;
 use crate::drive::Upper;
 use crate::failure::Failure;
@@ -45,9 +46,9 @@ pub trait Verb: clap::Args + Debug + 'static {
         None
     }
 
-    /// Whether drives that lie on several lines do for it: what only takes motion away goes over all of them.
-    fn goes_over_lines(&self) -> bool {
-        false
+    /// What it does with drives that lie on several lines.
+    fn over_lines(&self) -> OverLines {
+        OverLines::One(None)
     }
 
     /// Works. What ends it early is a failure; what fails on the way stands in the outcome beside what was found.
@@ -86,8 +87,8 @@ pub enum Flow {
 pub trait Typed: Debug {
     /// See [`Verb::streams`].
     fn streams(&self) -> Option<Flow>;
-    /// See [`Verb::goes_over_lines`].
-    fn goes_over_lines(&self) -> bool;
+    /// See [`Verb::over_lines`].
+    fn over_lines(&self) -> OverLines;
     /// See [`Verb::run`].
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a>;
 }
@@ -96,8 +97,8 @@ impl<V: Verb> Typed for V {
     fn streams(&self) -> Option<Flow> {
         Verb::streams(self)
     }
-    fn goes_over_lines(&self) -> bool {
-        Verb::goes_over_lines(self)
+    fn over_lines(&self) -> OverLines {
+        Verb::over_lines(self)
     }
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Verb::run(self, context)

@@ -2,6 +2,7 @@
 
 mod relief;
 
+use super::lines::OverLines;
 use super::profibus::{self, SlaveArgs};
 use super::read::select_failure;
 use super::verb::{Verb, Working};
@@ -70,6 +71,15 @@ impl Verb for Args {
         .each(16, "value")
         .unless("Over PROFIBUS a motor that becomes slower under the stop word is waited for as well.");
     type Prints = Document<Write>;
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::One(Some(both!(
+            "one call for each line, with its port behind -p; a parameter file with these values goes into all of them with `dataset load`, \
+             behind one question, and can be taken back",
+            "ein Aufruf für jede Leitung, mit ihrem Anschluss hinter -p; eine Parameterdatei mit diesen Werten geht mit `dataset load` in \
+             alle, hinter einer Frage, und lässt sich zurücknehmen"
+        )))
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

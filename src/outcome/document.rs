@@ -1,8 +1,8 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
 use super::{
-    BusLoad, BusMonitor, BusOrders, BusPlan, BusShow, Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, Plan,
-    Plant, PlantCheck, Procedure, Procedures, Read, Record, Stops, Warning, Write,
+    BusLoad, BusMonitor, BusOrders, BusPlan, BusShow, Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, OrLines,
+    Plan, Plant, PlantCheck, Procedure, Procedures, Read, Record, Stops, Warning, Write,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -72,7 +72,7 @@ pub enum OrLoad<D> {
     /// What was written, or would be.
     Write(Write),
     /// The same of several drives.
-    Several(Datasets),
+    Several(OrLines<Datasets>),
     /// What became of a parameter file.
     Load(Box<Load>),
     /// The same of several drives.
@@ -111,6 +111,8 @@ pub enum OrLine<D> {
     Found(D),
     /// What ails the line.
     Line(Box<LineCheck>),
+    /// What ails several lines.
+    Lines(OrLines<LineChecks>),
     /// What would be sent.
     Plan(Plan),
 }
@@ -122,7 +124,7 @@ pub enum OrRead<D> {
     /// What was done.
     Done(D),
     /// The settings that were read.
-    Read(Read),
+    Read(OrLines<Read>),
     /// What would be sent.
     Plan(Plan),
 }
@@ -136,7 +138,7 @@ pub enum OrBus {
     /// The load.
     Load(BusLoad),
     /// What drives are set to.
-    Show(BusShow),
+    Show(OrLines<BusShow>),
     /// What was heard.
     Monitor(Box<BusMonitor>),
     /// What nodes were told.
@@ -157,4 +159,11 @@ pub enum OrListed {
     Done(Box<Procedure>),
     /// What there is.
     List(Procedures),
+}
+
+/// What ails several lines.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct LineChecks {
+    /// One entry a line.
+    pub lines: Vec<LineCheck>,
 }

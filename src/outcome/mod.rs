@@ -11,6 +11,7 @@ mod import;
 mod line;
 mod motion;
 mod offline;
+mod over_lines;
 mod paramfile;
 mod plant;
 mod plot;
@@ -25,7 +26,8 @@ mod value;
 
 pub use bus_watch::{BusMonitor, BusOrdered, BusOrders, HeardEmergency, HeardOnBus, HeardPlace, HeardTaker};
 pub use document::{
-    Document, Envelope, OrBus, OrLine, OrListed, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
+    Document, Envelope, LineChecks, OrBus, OrLine, OrListed, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord,
+    OrWrite,
 };
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
@@ -37,6 +39,7 @@ pub use motion::{
     Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop, Stopped, Stops,
 };
 pub use offline::{CanDoc, ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Parts, Simulate, TelegramDoc};
+pub use over_lines::{OnLine, OrLines, OverLines, Unreached};
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
@@ -206,6 +209,9 @@ pub enum Data {
     Stops(Stops),
     /// `protocol set`, `line set`
     Relocation(Relocation),
+    /// Whatever reads, of drives on several lines
+    #[schemars(skip)]
+    OverLines(OverLines),
 }
 
 /// Something that happens while a verb works.

@@ -1,6 +1,6 @@
 //! What `dataset save`, `check` and `diff` did with files.
 
-use super::{Decimal, ErrorDoc, Value};
+use super::{Decimal, ErrorDoc, OrLines, Value};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -12,9 +12,9 @@ pub enum OrFile<D> {
     /// What was found.
     Found(D),
     /// Files that were written.
-    Saves(Saves),
+    Saves(OrLines<Saves>),
     /// Differences between files, drives and factory settings.
-    Comparisons(Comparisons),
+    Comparisons(OrLines<Comparisons>),
 }
 
 /// Result of `dataset save`.

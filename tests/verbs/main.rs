@@ -36,6 +36,7 @@ mod parameters {
     mod interrupted;
     mod loading;
     mod memory;
+    mod over_lines;
     mod own_family;
     pub(crate) mod plant;
     mod reading;

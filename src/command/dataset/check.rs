@@ -1,5 +1,6 @@
 //! `dataset check`: does a drive hold what its file says?
 
+use super::naming::Naming;
 use super::opened::Opened;
 use super::scope::Picks;
 use super::weighing::{Weighed, against_drive, told};
@@ -14,7 +15,7 @@ use std::path::PathBuf;
 
 #[derive(Clone, Debug, ClapArgs)]
 pub(super) struct Options {
-    /// A file of `dataset save`; {address} in its name: one a drive
+    /// A file of `dataset save`; with {address} or {name} one a drive
     #[arg(value_name = "FILE")]
     file: PathBuf,
     #[command(flatten)]
@@ -27,13 +28,13 @@ pub(super) struct Options {
 pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses_to_read(context.settings, context.observe)?;
     let named = context.settings.named_drive();
-    let open = |address: &u8| {
-        let path = options.file.to_string_lossy().replace(super::save::ADDRESS, &address.to_string());
-        let mut file = Opened::read(path.as_ref(), context.registry, named)?;
+    let open = |of: &Naming| {
+        let mut file = Opened::read(&of.own(&options.file), context.registry, named)?;
         file.pick(&options.picks.choice())?;
         Ok::<_, Failure>(file)
     };
-    let files = addresses.iter().map(open).collect::<Result<Vec<_>, _>>()?;
+    let drives = Naming::of_line(context.settings, &addresses)?;
+    let files = drives.iter().map(open).collect::<Result<Vec<_>, _>>()?;
     if let (true, Some(file)) = (context.settings.dry_run, files.first()) {
         let asked = of_file(&file.settings, &file.family);
         let sets =

@@ -5,6 +5,7 @@ mod diff;
 mod each_loaded;
 pub(super) mod load;
 pub(super) mod loaded;
+mod naming;
 mod of_each;
 pub(super) mod opened;
 mod save;
@@ -14,6 +15,7 @@ pub(super) mod weighing;
 mod which;
 
 use super::again::one_of;
+use super::lines::OverLines;
 use super::verb::{Verb, Working};
 use super::{Context, name_one, running};
 use crate::args::Takes;
@@ -75,6 +77,18 @@ impl Verb for Args {
     ];
     const UPPER: Upper = Upper::drive(30).each(48, "parameter");
     type Prints = Document<OrFile<OrLoad<Dataset>>>;
+
+    fn over_lines(&self) -> OverLines {
+        match &self.action {
+            Action::Load(_) => OverLines::Itself,
+            Action::Undo(_) => OverLines::One(Some(both!(
+                "an undo file is of one drive: name it, as in `antrieb -a NAME dataset undo FILE`",
+                "eine Datei zum Zurücknehmen gehört zu einem Antrieb: ihn nennen, wie in `antrieb -a NAME dataset undo DATEI`"
+            ))),
+            Action::Sets(sets::Action::Select { .. } | sets::Action::Copy { .. }) => OverLines::One(None),
+            _ => OverLines::Each,
+        }
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

@@ -1,5 +1,6 @@
 //! `dataset save`: a drive's settings into a file.
 
+use super::naming::Naming;
 use super::opened::Opened;
 use crate::command::again::word;
 use crate::command::output::{misnamed, unwritten, write};
@@ -16,12 +17,9 @@ use crate::text::{Lang, both};
 use clap::Args as ClapArgs;
 use std::path::{Path, PathBuf};
 
-/// What stands for the address in the name of a file.
-pub(super) const ADDRESS: &str = "{address}";
-
 #[derive(Clone, Debug, ClapArgs)]
 pub(super) struct Options {
-    /// The file; with {address} in its name, or a directory: one a drive
+    /// The file; with {address} or {name} in it, or a directory: one a drive
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// Only what differs from the factory settings that are known
@@ -54,8 +52,9 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         return options.dry_run(context);
     }
     let addresses = addresses_to_read(context.settings, context.observe)?;
-    let goal = |&address: &u8| options.goal(address, addresses.len() > 1, context);
-    let goals = addresses.iter().map(goal).collect::<Result<Vec<_>, _>>()?;
+    let several = addresses.len() > 1 || context.settings.is_one_of_lines;
+    let goal = |of: &Naming| options.goal(of, several, context);
+    let goals = Naming::of_line(context.settings, &addresses)?.iter().map(goal).collect::<Result<Vec<_>, _>>()?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let terms = terms(settings, registry)?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
@@ -253,8 +252,8 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
 
 impl Options {
     /// Where the settings of the drive at an address go, and what there is of them.
-    fn goal(&self, address: u8, several: bool, context: &Context<'_>) -> Result<Goal, Failure> {
-        let (typed, file) = (self.file.clone(), self.path(address, several)?);
+    fn goal(&self, of: &Naming, several: bool, context: &Context<'_>) -> Result<Goal, Failure> {
+        let (address, typed, file) = (of.address, self.file.clone(), self.path(of, several)?);
         let mut name = file.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let part = file.with_file_name(name);
@@ -346,8 +345,8 @@ impl Options {
         row(goal, &held, (session, &target), self.scope(goal), Some(&goal.file))
     }
 
-    /// The file of the drive at an address.
-    fn path(&self, address: u8, several: bool) -> Result<PathBuf, Failure> {
+    /// The file of a drive.
+    fn path(&self, of: &Naming, several: bool) -> Result<PathBuf, Failure> {
         let name = self.file.to_string_lossy();
         if name == "-" {
             let message =
@@ -357,23 +356,17 @@ impl Options {
                 "mit --json stehen die Werte auch auf stdout; ./- meint eine Datei, die so heißt"
             )));
         }
-        if name.contains(ADDRESS) {
-            return Ok(PathBuf::from(name.replace(ADDRESS, &address.to_string())));
-        }
         if files::found(&self.file) == Some(true) {
-            return Ok(self.file.join(format!("drive-{address}.toml")));
+            return Ok(self.file.join(format!("drive-{}.toml", of.word())));
         }
-        if several {
+        if several && !of.tells_apart(&self.file) {
             let message = both!(
                 "one file holds one drive, and several addresses were given",
                 "eine Datei fasst einen Antrieb, und es sind mehrere Adressen angegeben"
             );
-            return Err(Failure::new(Class::Usage, "usage.file", message).hint(both!(
-                "put {{address}} into its name, or name a directory",
-                "{{address}} in ihren Namen setzen oder ein Verzeichnis angeben"
-            )));
+            return Err(of.refused(message, &both!(", or name a directory", " oder ein Verzeichnis angeben")));
         }
-        Ok(self.file.clone())
+        Ok(of.own(&self.file))
     }
 
     /// What the file is to hold; one that is gone on with says it itself.

@@ -3,7 +3,7 @@
 use crate::args::{Place, Settings, places, project_path, typed_ports};
 use crate::command::dataset::load::read_all;
 use crate::command::dataset::opened::Opened;
-use crate::command::scan::of_port;
+use crate::command::lines::{named, one_recording};
 use crate::command::{Context, named_family, open};
 use crate::drive::job::Step;
 use crate::drive::plant::{Line, Member};
@@ -127,9 +127,13 @@ impl Wanted {
 
 /// Beside the project file the undo file of a drive is left, under its name.
 fn undo(place: &Place) -> UndoPlace {
+    UndoPlace::Beside(project_path(&place.settings).with_file_name(format!("{}.toml", plain(&place.name))))
+}
+
+/// The name of a drive as one of a file.
+pub(in crate::command) fn plain(name: &str) -> String {
     let is_plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | ' ');
-    let plain: String = place.name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
-    UndoPlace::Beside(project_path(&place.settings).with_file_name(format!("{plain}.toml")))
+    name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect()
 }
 
 /// What is known of a drive without asking. What the project file says of its family is asked all the same: it may be another drive.
@@ -186,14 +190,7 @@ pub(in crate::command) fn by_line(settings: &Settings, wanted: &mut [Wanted]) ->
             lines.push(line);
         }
     }
-    if lines.len() > 1 && settings.trace.is_some() {
-        let message = both!(
-            "trace: one file holds one line; expected one port",
-            "trace: eine Datei fasst eine Leitung; erwartet: ein Anschluss"
-        );
-        return Err(Failure::new(Class::Usage, "usage.trace", message)
-            .hint(both!("name the port with -p", "den Anschluss mit -p nennen")));
-    }
+    one_recording(settings, lines.len())?;
     wanted.sort_by_key(|one| lines.iter().position(|line| *line == one.place.line()));
     Ok(())
 }
@@ -276,15 +273,4 @@ async fn line<'a>(
         members.iter_mut().for_each(|member| member.left = Some(failure.clone()));
     }
     Line { session: session.ok(), members }
-}
-
-/// What happens on one of several ports, with its name.
-pub(in crate::command) fn named(port: &str, event: Event) -> Event {
-    match event {
-        Event::Note(note) => Event::Note(both!("{port}: {note}", "{port}: {note}", note)),
-        Event::Warned(Warning { code, message }) => {
-            Event::Warned(Warning { code, message: both!("{port}: {message}", "{port}: {message}", message) })
-        }
-        event => of_port(port, event),
-    }
 }

@@ -3,6 +3,7 @@
 mod drive;
 mod paper;
 
+use super::lines::OverLines;
 use super::procedure::record;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_read, connect, output, plan, plot, read_question};
@@ -59,6 +60,13 @@ impl Verb for Args {
     ];
     const UPPER: Upper = Upper::drive(180).each(48, "parameter, and one for each question of --count");
     type Prints = Document<OrPlan<Report>>;
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::One(Some(both!(
+            "a report measures one line: one for each, with its port behind -p",
+            "ein Bericht misst eine Leitung: einer für jede, mit ihrem Anschluss hinter -p"
+        )))
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

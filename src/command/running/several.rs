@@ -2,16 +2,15 @@
 
 use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped};
 use crate::args::{Settings, called};
-use crate::command::plant::lines::named as named_port;
+use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
 use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
 use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
-use crate::gate::{Answer, Ask, Question, Relief, Reply};
+use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
-use futures_util::future::join_all;
 use std::cell::RefCell;
 
 /// What came of one drive.
@@ -43,21 +42,16 @@ pub(in crate::command) async fn stop_each<'p, C>(
         let came = stop_line((settings, registry, interrupt), *observe, what).await?;
         return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(came)));
     }
-    let observe = RefCell::new(observe);
-    // What is set otherwise on one port is another line of it, and has its turn behind the first.
-    let ports = settings.lines.chunk_by(|one, other| one.port == other.port).map(|lines| {
-        let observe = &observe;
-        async move {
-            let mut came = Vec::new();
-            for line in lines {
-                let port = line.port.as_ref().map(ToString::to_string).unwrap_or_default();
-                let mut tell = |event| (observe.borrow_mut())(named_port(&port, event));
-                came.push(stop_line((line, registry, interrupt), &mut tell, what).await);
-            }
-            came
-        }
-    });
-    let came = join_all(ports).await.into_iter().flatten();
+    let stop =
+        async |line: &Settings, tell: &mut dyn FnMut(Event)| stop_line((line, registry, interrupt), tell, what).await;
+    // One file holds one line, and a second one would not be opened.
+    let unrecorded = |line: &Settings| Settings { trace: None, ..line.clone() };
+    let lines: Vec<Settings> = settings.lines.iter().map(unrecorded).collect();
+    if settings.trace.is_some() {
+        let note = both!("not recorded: one file holds one line", "nicht aufgezeichnet: eine Datei fasst eine Leitung");
+        (observe)(Event::Note(note));
+    }
+    let came = side_by_side(&lines, *observe, stop).await;
     let mut each = Vec::new();
     for (line, came) in settings.lines.iter().zip(came) {
         let (names, addresses) = (called(line)?, line.addresses.named());
@@ -150,19 +144,6 @@ async fn stop_one<'p, C>(
 /// Whether a drive was not heard at all.
 fn is_unheard(came: &Came) -> bool {
     came.as_ref().is_err_and(|failure| failure.is_unheard())
-}
-
-/// Nobody is asked for several drives at once.
-struct Nobody;
-
-impl Ask for Nobody {
-    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
-        Box::pin(std::future::ready(Answer::Nobody))
-    }
-
-    fn is_there(&self) -> bool {
-        false
-    }
 }
 
 /// What came of all.

@@ -9,6 +9,7 @@ mod seated;
 mod show;
 
 use super::Context;
+use super::lines::OverLines;
 use super::verb::{Flow, Verb, Working};
 use crate::args::Takes;
 use crate::drive::Upper;
@@ -95,6 +96,10 @@ impl Verb for Args {
 
     fn streams(&self) -> Option<Flow> {
         matches!(self.action, Action::Monitor(_)).then_some(Flow::Telegrams { capture: None })
+    }
+
+    fn over_lines(&self) -> OverLines {
+        if matches!(self.action, Action::Show) { OverLines::Each } else { OverLines::One(None) }
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

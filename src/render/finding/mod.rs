@@ -11,6 +11,7 @@ mod load;
 mod monitor;
 mod motion;
 mod narrow;
+mod over_lines;
 mod page;
 mod paramfile;
 mod params;
@@ -87,5 +88,6 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Motion(found) => found,
         Data::Stops(found) => found,
         Data::Relocation(found) => found,
+        Data::OverLines(found) => found,
     }
 }

@@ -126,12 +126,21 @@ impl Page {
 
     /// One row a value; the address only if there are several drives.
     pub(super) fn values(self, values: &[Value]) -> String {
-        let several = values.iter().any(|value| Some(value.address) != values.first().map(|first| first.address));
-        let rows = values.iter().map(|value| {
-            let mut row = if several { vec![value.address.to_string()] } else { Vec::new() };
+        self.values_of(&values.iter().map(|value| (None, value)).collect::<Vec<_>>())
+    }
+
+    /// The same of drives that have names: these, where there are any, and not the addresses.
+    pub(super) fn values_of(self, values: &[(Option<&str>, &Value)]) -> String {
+        let named = values.iter().any(|(called, _)| called.is_some());
+        let several = values.iter().any(|(_, value)| Some(value.address) != values.first().map(|(_, one)| one.address));
+        let several = several || named;
+        let rows = values.iter().map(|&(called, value)| {
+            let drive = || called.map_or_else(|| value.address.to_string(), str::to_owned);
+            let mut row = if several { vec![drive()] } else { Vec::new() };
             // Beside its copy in the EEPROM.
-            let cell = |value: &Value| (value.address, value.param, value.data_set);
-            let is_copy = values.iter().any(|other| cell(other) == cell(value) && other.store != value.store);
+            let cell = |called, value: &Value| (called, value.address, value.param, value.data_set);
+            let of = |(other, one): &(_, &Value)| cell(*other, one) == cell(called, value) && one.store != value.store;
+            let is_copy = values.iter().any(of);
             let is_ram = is_copy && value.data_set == 0 && value.store == "ram";
             row.extend([
                 numbered(value.param, value.index),
@@ -143,12 +152,9 @@ impl Page {
             ]);
             row
         });
-        let head: &[&str] = if several {
-            &[">addr", ">param", "set", "name", ">value", "unit", "meaning"]
-        } else {
-            &[">param", "set", "name", ">value", "unit", "meaning"]
-        };
-        self.table(head, rows.collect())
+        let drive = if named { "drive" } else { ">addr" };
+        let head = [drive, ">param", "set", "name", ">value", "unit", "meaning"];
+        self.table(head.get(usize::from(!several)..).unwrap_or_default(), rows.collect())
     }
 
     /// A value in a few words: number, unit, meaning.

@@ -79,6 +79,18 @@ impl Rows {
         self
     }
 
+    /// Those of a port, each with the name of its drive.
+    pub(super) fn of_drives(mut self, port: &str, called: impl Fn(&Map<String, Value>) -> Option<String>) -> Self {
+        self.columns.retain(|column| !["called", "port"].contains(&column.name.as_str()));
+        self.columns.splice(0..0, ["called", "port"].map(Column::plain));
+        for row in &mut self.rows {
+            let own = std::mem::take(&mut row.fields);
+            let of = [("called".to_owned(), called(&own).into()), ("port".to_owned(), port.into())];
+            row.fields = of.into_iter().chain(own).collect();
+        }
+        self
+    }
+
     /// Each with another field before its own.
     pub(super) fn under(mut self, name: &str, value: &Value) -> Self {
         self.columns.retain(|column| column.name != name);

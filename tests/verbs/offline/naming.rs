@@ -26,7 +26,7 @@ fn names_of_drives_stand_in_lists() {
     let addresses: Vec<_> =
         mixed.data("/values").as_array().unwrap().iter().map(|row| row["address"].clone()).collect();
     assert_eq!(addresses, [2, 1]);
-    let apart = antrieb("-a pump,far read 372").file("antrieb.toml", PLANT).exits(2).err;
+    let apart = antrieb("-a pump,far write 372=1400").file("antrieb.toml", PLANT).exits(2).err;
     assert!(apart.contains("far is not on the line of the others"), "{apart}");
     for (typed, meant) in [("pump,fen", "fan"), ("fann", "fan"), ("pmp", "pump")] {
         let told = antrieb(&format!("-a {typed} read 372")).file("antrieb.toml", PLANT).exits(2).err;
