@@ -1895,7 +1895,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l force -d 'Repla
 complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l record -d 'Show a record of `monitor --record`; repeatable' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l procedure -d 'Show the record of a `procedure`; repeatable' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l count -d 'Questions of the link test to each drive' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l count -d 'Questions of the link test to a drive' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -2181,10 +2181,10 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l set -d 'What every row says: access=rw (repeatable)' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l own -d 'A family of its own, reached over plain Modbus' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l title -d 'What the device is called [default: from the list]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l base -d 'The number that register 0 has in the list: 0, 1, 40001' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l ignore -d 'A key of an MBMap register that changes nothing of its value (repeatable)' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l separator -d 'What parts the cells: `;` `,` tab [default: found out]' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l as -d 'What the list is [default: found out]' -r -f -a "table\t'A table: CSV, as spreadsheets write it'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l base -d 'What the list calls register 0: 0, 1, 40001' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l ignore -d 'A key of MBMap that changes no value (repeatable)' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l separator -d 'Between the cells: `;` `,` tab [default: found out]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l as -d 'table or mbmap [default: found out]' -r -f -a "table\t'A table: CSV, as spreadsheets write it'
 mbmap\t'A map of registers: MBMap version 2, JSON'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
@@ -2195,8 +2195,8 @@ never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l replace -d 'Rows take the place of those that are there'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l low-half-first -d 'The lower half of a value in two registers goes first'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l input-as-holding -d 'Input registers (code 4) are read as holding registers (code 3)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l low-half-first -d 'Of two registers the first holds the lower half'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l input-as-holding -d 'Input registers are read by code 3, not by code 4'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -2856,12 +2856,9 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s v -l verbos
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s h -l help -d 'Print help'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand man" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -s h -l help -d 'Print help'
 
 # Values come from the program itself, and nothing is added to them by anybody else.
 function __fish_antrieb_asked

@@ -2153,7 +2153,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;report' {
             [CompletionResult]::new('--record', '--record', [CompletionResultType]::ParameterName, 'Show a record of `monitor --record`; repeatable')
             [CompletionResult]::new('--procedure', '--procedure', [CompletionResultType]::ParameterName, 'Show the record of a `procedure`; repeatable')
-            [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'Questions of the link test to each drive')
+            [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'Questions of the link test to a drive')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -2491,10 +2491,10 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--set', '--set', [CompletionResultType]::ParameterName, 'What every row says: access=rw (repeatable)')
             [CompletionResult]::new('--own', '--own', [CompletionResultType]::ParameterName, 'A family of its own, reached over plain Modbus')
             [CompletionResult]::new('--title', '--title', [CompletionResultType]::ParameterName, 'What the device is called [default: from the list]')
-            [CompletionResult]::new('--base', '--base', [CompletionResultType]::ParameterName, 'The number that register 0 has in the list: 0, 1, 40001')
-            [CompletionResult]::new('--ignore', '--ignore', [CompletionResultType]::ParameterName, 'A key of an MBMap register that changes nothing of its value (repeatable)')
-            [CompletionResult]::new('--separator', '--separator', [CompletionResultType]::ParameterName, 'What parts the cells: `;` `,` tab [default: found out]')
-            [CompletionResult]::new('--as', '--as', [CompletionResultType]::ParameterName, 'What the list is [default: found out]')
+            [CompletionResult]::new('--base', '--base', [CompletionResultType]::ParameterName, 'What the list calls register 0: 0, 1, 40001')
+            [CompletionResult]::new('--ignore', '--ignore', [CompletionResultType]::ParameterName, 'A key of MBMap that changes no value (repeatable)')
+            [CompletionResult]::new('--separator', '--separator', [CompletionResultType]::ParameterName, 'Between the cells: `;` `,` tab [default: found out]')
+            [CompletionResult]::new('--as', '--as', [CompletionResultType]::ParameterName, 'table or mbmap [default: found out]')
             [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05, l200, sj200, x200 [default: auto]')
             [CompletionResult]::new('--format', '--format', [CompletionResultType]::ParameterName, 'table, json (--json), ndjson, csv [default: table]')
             [CompletionResult]::new('--lang', '--lang', [CompletionResultType]::ParameterName, 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]')
@@ -2502,8 +2502,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
             [CompletionResult]::new('--config', '--config', [CompletionResultType]::ParameterName, 'Project file to read in place of ./antrieb.toml')
             [CompletionResult]::new('--replace', '--replace', [CompletionResultType]::ParameterName, 'Rows take the place of those that are there')
-            [CompletionResult]::new('--low-half-first', '--low-half-first', [CompletionResultType]::ParameterName, 'The lower half of a value in two registers goes first')
-            [CompletionResult]::new('--input-as-holding', '--input-as-holding', [CompletionResultType]::ParameterName, 'Input registers (code 4) are read as holding registers (code 3)')
+            [CompletionResult]::new('--low-half-first', '--low-half-first', [CompletionResultType]::ParameterName, 'Of two registers the first holds the lower half')
+            [CompletionResult]::new('--input-as-holding', '--input-as-holding', [CompletionResultType]::ParameterName, 'Input registers are read by code 3, not by code 4')
             [CompletionResult]::new('--json', '--json', [CompletionResultType]::ParameterName, 'Same as --format json')
             [CompletionResult]::new('-q', '-q', [CompletionResultType]::ParameterName, 'Less on stderr')
             [CompletionResult]::new('--quiet', '--quiet', [CompletionResultType]::ParameterName, 'Less on stderr')
@@ -3297,21 +3297,18 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;schema' {
-            [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
-            [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
-            [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
+            [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help')
+            [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help')
             break
         }
         'antrieb;completions' {
-            [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
         }
         'antrieb;man' {
-            [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
-            [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
-            [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
+            [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help')
+            [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help')
             break
         }
     })

@@ -93,7 +93,19 @@ impl Takes {
     /// Tells of the program itself.
     pub const TELLS: Takes = Takes {
         first: &[],
-        silent: &["format", "json", "lang", "quiet", "verbose", "color", "no_progress", "config", "no_config", "yes"],
+        silent: &[
+            "format",
+            "json",
+            "lang",
+            "quiet",
+            "verbose",
+            "color",
+            "no_progress",
+            "config",
+            "no_config",
+            "catalogue",
+            "yes",
+        ],
         refused: &[SETTINGS, OVER_A_LINE, OF_A_DRIVE],
     };
 

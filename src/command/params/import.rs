@@ -49,23 +49,23 @@ pub(super) struct Options {
     /// What the device is called [default: from the list]
     #[arg(long, value_name = "TEXT", hide_short_help = true)]
     title: Option<String>,
-    /// The number that register 0 has in the list: 0, 1, 40001
+    /// What the list calls register 0: 0, 1, 40001
     #[arg(long, value_name = "N", hide_short_help = true)]
     base: Option<u32>,
-    /// The lower half of a value in two registers goes first
+    /// Of two registers the first holds the lower half
     #[arg(long, hide_short_help = true)]
     low_half_first: bool,
-    /// Input registers (code 4) are read as holding registers (code 3)
+    /// Input registers are read by code 3, not by code 4
     #[arg(long, hide_short_help = true)]
     input_as_holding: bool,
-    /// A key of an MBMap register that changes nothing of its value (repeatable)
+    /// A key of MBMap that changes no value (repeatable)
     #[arg(long, value_name = "KEY", hide_short_help = true)]
     ignore: Vec<String>,
-    /// What parts the cells: `;` `,` tab [default: found out]
+    /// Between the cells: `;` `,` tab [default: found out]
     #[arg(long, value_name = "CHAR", value_parser = separator, hide_short_help = true)]
     separator: Option<char>,
-    /// What the list is [default: found out]
-    #[arg(long = "as", value_enum, hide_short_help = true)]
+    /// table or mbmap [default: found out]
+    #[arg(long = "as", value_enum, hide_possible_values = true, hide_short_help = true)]
     form: Option<Form>,
 }
 

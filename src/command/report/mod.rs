@@ -45,7 +45,7 @@ pub struct Args {
     #[arg(long)]
     pub changed: bool,
 
-    /// Questions of the link test to each drive
+    /// Questions of the link test to a drive
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub count: u32,
 }

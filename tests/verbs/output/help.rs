@@ -40,6 +40,44 @@ fn short_help_has_a_line_for_each_option_and_fits_a_screen() {
     }
 }
 
+/// Own options go first, then those of every verb in the order in which they matter; what is left to `--help` is counted.
+#[test]
+fn what_short_help_leaves_out_is_counted_and_own_options_go_before_common_ones() {
+    let is_name = |name: &str| name.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '-');
+    let options = |page: &str| -> BTreeSet<String> {
+        let lines = page.lines().filter(|line| line.trim_start().starts_with('-'));
+        let names = lines.filter_map(|line| line.split("--").nth(1)?.split([' ', '.']).next());
+        names.filter(|name| is_name(name)).map(str::to_owned).collect()
+    };
+    for command in commands() {
+        let page = |help: &str| antrieb(&format!("{command} {help}")).exits(0).out;
+        let (short, long) = (page("-h"), page("--help"));
+        let left: Vec<String> = options(&long).difference(&options(&short)).cloned().collect();
+        let said =
+            short.split_once("Options of every verb (").and_then(|(_, rest)| rest.split(' ').next()?.parse().ok());
+        assert_eq!(said.unwrap_or(0), left.len(), "{command}: {left:?}\n{short}");
+        // A common option that gives way stands there only where every own one does, but for those of PROFIBUS.
+        let is_common = |name: &str| ["baud", "parity", "lang", "format", "verbose"].contains(&name);
+        let own = short.contains(" of them of this verb)");
+        let of_profibus = ["gsd", "user-prm", "slot-time", "mode", "cfg"];
+        let lacks = left.iter().any(|name| long_of(&long, name) && !of_profibus.contains(&name.as_str()));
+        let has_room = short.lines().count() < SCREEN;
+        assert!(!(own && lacks && has_room), "{command}: {left:?}\n{short}");
+        assert!(!lacks || !options(&short).iter().any(|name| is_common(name)), "{command}: {left:?}\n{short}");
+    }
+}
+
+/// Whether it stands under the options of the verb itself, or those of a run.
+fn long_of(page: &str, name: &str) -> bool {
+    let mut heading = "";
+    page.lines().any(|line| {
+        if !line.starts_with(' ') && line.ends_with(':') {
+            heading = line;
+        }
+        ["Options:", "Run:", "Keypad:"].contains(&heading) && line.trim_start().starts_with(&format!("--{name}"))
+    })
+}
+
 /// Every command stands in it, by what it is for (`cli::overview`).
 #[test]
 fn the_help_of_the_program_fits_a_screen() {
