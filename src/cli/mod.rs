@@ -5,6 +5,7 @@ mod forms;
 mod manual;
 mod overview;
 mod page;
+mod placeholder;
 mod printed;
 mod short;
 mod signals;

@@ -1,5 +1,6 @@
 //! What does not fit the tree of arguments, in words of ours: clap knows one language, and says nothing to programs.
 
+use super::placeholder::placed;
 use super::typed::whole;
 use super::{closed, overview};
 use crate::args::below_zero::SIGN;
@@ -55,6 +56,9 @@ pub(super) fn explain(
     }
     Class::Usage.exit()
 }
+
+/// What the arrows of the keypad do.
+const KEYPAD: &[&str] = &["--step", "--min", "--max"];
 
 /// Help is English (the contract with the user), and says so to who has chosen German.
 const ENGLISH: &str = "(Hilfetexte sind englisch; Ausgaben, Fragen und Fehler sind deutsch.)";
@@ -162,7 +166,7 @@ impl Place {
             return Failure::new(Class::Usage, "usage.arguments", message)
                 .hint(both!("it is `antrieb {line}`", "es heißt `antrieb {line}`"));
         }
-        Failure::new(Class::Usage, "usage.arguments", self.message(error)).hint(self.hint(error))
+        Failure::new(Class::Usage, "usage.arguments", placed(&self.message(error))).hint(placed(&self.hint(error)))
     }
 
     /// Behind which command, for a sentence; nothing before a verb.
@@ -250,6 +254,14 @@ impl Place {
             return how;
         }
         if let Some((option, verbs)) = self.of_others(error) {
+            if self.path == ["statemachine", "enable"] && KEYPAD.contains(&&*option) {
+                return both!(
+                    "the arrows change a setpoint, and `statemachine enable` gives none: it lets the drive run at the one that it has; \
+                     `antrieb sollwert VALUE --enable --hold --view {option} …` gives one",
+                    "die Pfeile ändern einen Sollwert, und `statemachine enable` gibt keinen: der Antrieb läuft mit dem, den er hat; \
+                     `antrieb sollwert WERT --enable --hold --view {option} …` gibt einen"
+                );
+            }
             return both!("`{option}` is an option of {verbs}", "`{option}` ist eine Option von {verbs}");
         }
         if let Some(line) = self.meant(error).filter(|_| self.path.is_empty()) {

@@ -2,7 +2,7 @@
 
 use super::{Entry, VERBS};
 use crate::args::{Globals, SETTINGS};
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, Outcome, Warning};
 use crate::text::{Lang, Text, both};
 use clap::parser::ValueSource;
@@ -94,7 +94,8 @@ impl Again {
     pub fn told(&self, mut outcome: Outcome) -> Outcome {
         outcome.each_error(&mut |error| self.row(error));
         let Outcome { data, warnings, failure } = outcome;
-        let warnings = warnings.into_iter().map(|it| Warning { message: self.typed(&it.message, None), ..it });
+        let warnings =
+            warnings.into_iter().map(|it| Warning { message: self.typed(&it.message, About::default()), ..it });
         let data = data.map(|data| self.closed(data));
         Outcome { data, warnings: warnings.collect(), failure: failure.map(|failure| self.hinted(failure)) }
     }
@@ -102,13 +103,14 @@ impl Again {
     /// The same of a failure; it knows the address that nobody typed.
     pub fn hinted(&self, failure: Failure) -> Failure {
         let address = failure.context.iter().find(|(key, _)| *key == "address").map(|(_, address)| address.as_str());
-        let hint = failure.hint.as_deref().map(|hint| self.typed(hint, address));
+        let about = About { address, is_unheard: matches!(failure.class, Class::Silence | Class::Garbled) };
+        let hint = failure.hint.as_deref().map(|hint| self.typed(hint, about));
         let first = failure.context.iter().find(|(key, _)| *key == ONE_OF).map(|(_, first)| self.for_one(first));
         let hint = match (first, hint) {
             (Some(first), Some(hint)) => Some(both!("{first}; {hint}", "{first}; {hint}", first, hint)),
             (first, hint) => first.or(hint),
         };
-        Failure { hint: hint.map(Box::new), message: self.typed(&failure.message, address), ..failure }
+        Failure { hint: hint.map(Box::new), message: self.typed(&failure.message, about), ..failure }
     }
 
     /// This run, of one drive.
@@ -137,8 +139,10 @@ impl Again {
     /// What is wrong with one row.
     fn row(&self, error: &mut ErrorDoc) {
         let address = error.context.get("address").cloned();
-        error.hint = error.hint.as_ref().map(|hint| self.typed(hint, address.as_deref()));
-        error.message = self.typed(&error.message, address.as_deref());
+        let is_unheard = matches!(error.class, Class::Silence | Class::Garbled);
+        let about = About { address: address.as_deref(), is_unheard };
+        error.hint = error.hint.as_ref().map(|hint| self.typed(hint, about));
+        error.message = self.typed(&error.message, about);
     }
 
     /// The last words of loads, which name a command.
@@ -149,17 +153,26 @@ impl Again {
             _ => Vec::new(),
         };
         for load in loads {
-            load.closing = load.closing.as_ref().map(|told| self.typed(told, None));
+            load.closing = load.closing.as_ref().map(|told| self.typed(told, About::default()));
         }
         data
     }
 
-    fn typed(&self, text: &Text, address: Option<&str>) -> Text {
-        commands(text, |command, verb| self.options(command, verb, address))
+    fn typed(&self, text: &Text, about: About<'_>) -> Text {
+        commands(text, |command, verb| self.options(command, verb, about))
+    }
+
+    /// Whether it was a bus with a rate of its own, where nobody tries others.
+    fn is_bus(&self) -> bool {
+        let is = |id: &str, starts: &[&str]| {
+            let mut values = self.given.iter().filter(|given| given.id == id).flat_map(|given| &given.values);
+            values.any(|value| starts.iter().any(|start| value.starts_with(start)))
+        };
+        is("protocol", &["sdo", "dp"]) || is("port", &["slcan:"])
     }
 
     /// What of this run belongs to a command, and does not stand there.
-    fn options(&self, command: &str, verb: &Entry, address: Option<&str>) -> Vec<String> {
+    fn options(&self, command: &str, verb: &Entry, About { address, is_unheard }: About<'_>) -> Vec<String> {
         let searches = SEARCHING.contains(&verb.name);
         let stands = |given: &Given| {
             command.split(' ').any(|word| given.names.iter().any(|name| word.split('=').next() == Some(name)))
@@ -171,7 +184,10 @@ impl Again {
                 && (given.id != "address" || !searches)
                 && (searches || given.values.iter().all(|value| !value.eq_ignore_ascii_case("auto")))
         };
-        let mut options: Vec<String> = self.given.iter().filter(belongs).flat_map(Given::words).collect();
+        // Nobody was understood at the setting that was typed: a search there would find nobody either.
+        let sought = |given: &Given| searches && is_unheard && !self.is_bus() && SOUGHT.contains(&given.id);
+        let words = |given: &Given| if sought(given) { given.auto() } else { given.words() };
+        let mut options: Vec<String> = self.given.iter().filter(belongs).flat_map(words).collect();
         let is_open = !self.given.iter().any(|given| given.id == "address") && !command.contains(" -a ");
         if let Some(address) =
             address.filter(|_| is_open && !searches && !verb.of_plant && verb.takes.offers("address"))
@@ -182,10 +198,26 @@ impl Again {
     }
 }
 
+/// What a text is about.
+#[derive(Clone, Copy, Default)]
+struct About<'t> {
+    /// A drive that nobody may have typed.
+    address: Option<&'t str>,
+    /// Nobody was understood.
+    is_unheard: bool,
+}
+
+/// What of the setting of a line a search finds out itself.
+const SOUGHT: &[&str] = &["baud", "parity"];
+
 /// The verbs that look at all of a line: for them no drive is picked.
 const SEARCHING: &[&str] = &["scan", "init", "sniff"];
 
 impl Given {
+    fn auto(&self) -> Vec<String> {
+        self.names.first().cloned().into_iter().chain(["auto".to_owned()]).collect()
+    }
+
     fn words(&self) -> Vec<String> {
         let name = self.names.first().cloned().unwrap_or_default();
         match self.values.as_slice() {
@@ -255,7 +287,7 @@ mod tests {
 
     fn said(line: &str, hint: &str) -> String {
         let hint = Text::name(hint);
-        again(line).typed(&hint, None).get(Lang::De).to_owned()
+        again(line).typed(&hint, About::default()).get(Lang::De).to_owned()
     }
 
     #[test]
@@ -290,9 +322,23 @@ mod tests {
     #[test]
     fn an_address_that_nobody_typed_is_that_of_the_failure() {
         let hint = both!("`antrieb statemachine disable`", "`antrieb statemachine disable`");
-        let failure = Failure::new(crate::failure::Class::Forbidden, "f", Text::name("")).hint(hint).with("address", 7);
+        let failure = Failure::new(Class::Forbidden, "f", Text::name("")).hint(hint).with("address", 7);
         let hint = again("antrieb -p sim read 1").hinted(failure).hint.unwrap();
         assert_eq!(hint.get(Lang::En), "`antrieb -p sim -a 7 statemachine disable`");
+    }
+
+    #[test]
+    fn behind_silence_the_setting_that_was_typed_is_sought() {
+        let hint = || Text::name("`antrieb scan`, `antrieb read 1`");
+        for (class, scan) in [
+            (Class::Silence, "-b auto --parity auto --timeout 1s scan"),
+            (Class::Refused, "-b 9600 --parity odd --timeout 1s scan"),
+        ] {
+            let failure = Failure::new(class, "f", Text::name("")).hint(hint());
+            let told = again("antrieb -b 9600 --parity odd --timeout 1s read 1").hinted(failure).hint.unwrap();
+            let read = "`antrieb -b 9600 --parity odd --timeout 1s read 1`";
+            assert_eq!(told.get(Lang::En), format!("`antrieb {scan}`, {read}"));
+        }
     }
 
     #[test]

@@ -181,8 +181,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let Some(spoken) = spoken(args)? else { return shown::show_all(context).await };
     // Refused before the port is opened if no drive that it could be understands it.
     let understood = offline(context.settings, context.registry, |family| understand(args, &spoken, family));
-    let (family, wanted) =
-        understood.map_err(|failure| unit::of_whom(failure, context.settings.drive.is_some(), context.registry))?;
+    let whose = (context.settings.drive.is_some(), args.mode.as_deref().unwrap_or_default());
+    let (family, wanted) = understood.map_err(|failure| unit::of_whom(failure, whose, context.registry))?;
     if context.settings.dry_run {
         return dry::run(args, &spoken, (&family, &wanted), context);
     }

@@ -306,7 +306,10 @@ fn cutting_last(mut steps: Vec<Step>, family: &Family, own: Option<Role>) -> Res
 /// The raw value, if everything that the catalogue knows allows it.
 fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: bool) -> Result<i64, Failure> {
     let (number, called) = (param.id, param.called());
-    let label = both!("parameter {number} ({called})", "Parameter {number} ({called})", called);
+    let label = match param.is_named() {
+        true => both!("parameter {number} ({called})", "Parameter {number} ({called})", called),
+        false => both!("parameter {number}", "Parameter {number}"),
+    };
     let bad = |code: &str, error: &ValueError| {
         let message = both!("{label}: {why}", "{label}: {why}", label, why = error.text());
         Failure::new(Class::Data, code, message).with("param", param.id)

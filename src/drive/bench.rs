@@ -44,7 +44,7 @@ pub fn can(file: Option<&Path>, registry: &Registry) -> Result<Can, Failure> {
 fn read<B>(file: &Path, build: impl Fn(&str, &str) -> Result<B, Broken>) -> Result<B, Failure> {
     let path = file.display().to_string();
     let text = files::read(file, files::TEXT)
-        .map_err(|error| both!("bench file {why}", "Benchdatei {why}", why = error.of(file)));
+        .map_err(|error| both!("bench file {why}", "Prüfstanddatei {why}", why = error.of(file)));
     let bench = text.and_then(|text| build(&path, &text).map_err(|error| error.text()));
     bench.map_err(|why| {
         Failure::new(Class::Data, "data.bench", why).hint(both!(

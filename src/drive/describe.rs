@@ -69,7 +69,7 @@ pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, look
     let word = family.is_word(param).then(|| word(family, param, reading.raw as u32, lookup));
     let text = text.or_else(|| coded(family, param, reading.raw));
     let digits = value::digits(param, reading.raw);
-    let text = text.or_else(|| digits.is_none().then(|| both!("no number", "keine Zahl")));
+    let text = text.or_else(|| value::odd(param, reading.raw));
     let expected = expected(family, param, reading.raw);
     Value {
         raw: Some(reading.raw),

@@ -24,7 +24,7 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::text::{Text, Wrong, both};
 use journey::{Journey, Setback, follow, is_taken};
-use said::{left, lost, occupied, out_of_range};
+use said::{ADDRESS, BAUD, left, lost, occupied, out_of_range};
 use std::rc::Rc;
 
 /// How a drive is reached.
@@ -165,10 +165,10 @@ impl Wish {
         }
         if let Some(baud) = self.baud.filter(|baud| !rates.contains(baud)) {
             let rates = rates.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-            return Err(out_of_range("baud", &rates, &baud));
+            return Err(out_of_range(&BAUD, &rates, &baud));
         }
         match self.address.filter(|&address| !(1..=u32::from(LAST_STATION)).contains(&address)) {
-            Some(address) => Err(out_of_range("address", &format!("1-{LAST_STATION}"), &address)),
+            Some(address) => Err(out_of_range(&ADDRESS, &format!("1-{LAST_STATION}"), &address)),
             None => Ok(()),
         }
     }

@@ -208,7 +208,10 @@ pub struct Diagnosis {
     pub healthy: bool,
     /// Status word with its state.
     pub status: Option<Word>,
-    /// Value of the fault parameter; null if it could not be read, 0 if there is no fault.
+    /// Whether its catalogue says where it tells a fault.
+    #[serde(skip)]
+    pub tells_faults: bool,
+    /// Value of the fault parameter; null if it could not be read or the family has none, 0 if there is no fault.
     pub fault_code: Option<i64>,
     /// Active fault; null if there is none, or if it could not be read.
     pub fault: Option<Fault>,

@@ -1,5 +1,7 @@
 //! Numbers of 32 bits with a floating point (IEEE 754), as some registers hold them: between their bits and decimals, exactly.
 
+use crate::text::{Text, both};
+
 /// Digits behind the point that are written out; what is smaller is no value of a drive.
 const MOST_DECIMALS: usize = 18;
 
@@ -12,6 +14,16 @@ pub(super) fn decimal(bits: u32) -> Option<(i64, u8)> {
     let places = Some(fraction.len()).filter(|places| *places <= MOST_DECIMALS)?;
     let raw = format!("{whole}{fraction}").parse().ok()?;
     Some((raw, u8::try_from(places).ok()?))
+}
+
+/// What bits are that no decimal is written for.
+pub(super) fn odd(bits: u32) -> Text {
+    let number = f32::from_bits(bits);
+    match number {
+        _ if number.is_nan() => both!("no number", "keine Zahl"),
+        _ if number.is_infinite() => both!("infinite", "unendlich"),
+        _ => Text::name(format!("{number:e}")),
+    }
 }
 
 /// The bits of what is nearest to a decimal times a power of ten; `None`: no number, or one that is too large.

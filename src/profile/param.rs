@@ -224,17 +224,27 @@ pub struct Param {
     pub origin: String,
 }
 
+/// The slug of a parameter without a name.
+fn nameless(id: u32) -> String {
+    format!("parameter-{id}")
+}
+
 impl Param {
     /// What it is called in a sentence: by its slug, which is English, or by its German name; both can be typed.
     pub fn called(&self) -> Text {
         Text::by(|lang| lang.pick(self.slug.clone(), self.name.get(Lang::De).to_owned()))
     }
 
+    /// Whether it is called by more than its number.
+    pub fn is_named(&self) -> bool {
+        self.slug != nameless(self.id)
+    }
+
     /// A parameter that no catalogue knows.
     pub fn unknown(id: u32) -> Self {
         Param {
             id,
-            slug: format!("parameter-{id}"),
+            slug: nameless(id),
             short: None,
             name: Text { en: format!("Parameter {id}").into(), de: format!("Parameter {id}").into() },
             unit: None,

@@ -176,6 +176,11 @@ pub fn digits(param: &Param, raw: i64) -> Option<(i64, u8)> {
     }
 }
 
+/// What a floating point is that no digits are written for.
+pub fn odd(param: &Param, raw: i64) -> Option<Text> {
+    digits(param, raw).is_none().then(|| u32::try_from(raw).map_or_else(|_| Text::name(raw), float::odd))
+}
+
 /// A raw integer as its value is written, without unit.
 pub fn written(param: &Param, raw: i64) -> String {
     match digits(param, raw) {

@@ -10,7 +10,7 @@ use crate::command::{
 use crate::drive::job::Step;
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Dataset, DatasetRow, Event, Outcome, Warning};
+use crate::outcome::{Dataset, DatasetRow, Event, Outcome, Value, Warning, numbered};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
 use crate::text::both;
 use clap::Subcommand;
@@ -345,7 +345,8 @@ impl Work<'_> {
     ) -> Result<(Vec<Step>, Vec<Warning>), Failure> {
         let (rows, failures, warnings) = self.rows(session, texts, &[(from, Store::Eeprom)]).await?;
         if let Some(failure) = failures.into_iter().next() {
-            return Err(failure);
+            let value = rows.iter().flat_map(|row| &row.values).find(|value| value.error.is_some());
+            return Err(value.map_or(failure.clone(), |value| not_to_be_copied(failure, value)));
         }
         let to = DataSets::One(to, store).wire().first().copied().unwrap_or(to);
         let mut steps = Vec::new();
@@ -358,4 +359,15 @@ impl Work<'_> {
         }
         Ok((steps, warnings))
     }
+}
+
+/// The failure of the first value that could not be read, with whose it is.
+fn not_to_be_copied(failure: Failure, value: &Value) -> Failure {
+    let place = numbered(value.param, value.index) + "@" + &value.data_set.to_string();
+    let message = both!(
+        "nothing was copied, because {place} could not be read: {why}",
+        "nichts wurde kopiert, denn {place} ließ sich nicht lesen: {why}",
+        why = failure.message
+    );
+    Failure { message, ..failure }
 }

@@ -28,7 +28,7 @@ pub(super) fn told(report: &Import, head: usize) -> Vec<Text> {
         both!("left out, line {line}: {why}", "ausgelassen, Zeile {line}: {why}", line, why)
     });
     lines.extend(few(left.collect()));
-    lines.extend(few(report.notes.iter().map(|note| both!("note: {note}", "Hinweis: {note}", note)).collect()));
+    lines.extend(few(report.notes.iter().map(|note| both!("note: {note}", "Anmerkung: {note}", note)).collect()));
     lines
 }
 

@@ -31,13 +31,21 @@ pub(super) fn modes(family: &Family) -> String {
 }
 
 /// No drive was asked, so its modes may be others than those of the usual one: the hint tells those of each.
-pub(super) fn of_whom(failure: Failure, is_named: bool, registry: &Registry) -> Failure {
-    if failure.class != Class::Usage || failure.code != "usage.unit" || failure.hint.is_some() || is_named {
+pub(super) fn of_whom(failure: Failure, (is_named, typed): (bool, &str), registry: &Registry) -> Failure {
+    if failure.class != Class::Usage
+        || !["usage.mode", "usage.unit"].contains(&&*failure.code)
+        || failure.hint.is_some()
+        || is_named
+    {
         return failure;
     }
     let families = registry.families().into_iter().filter(|family| !family.modes.is_empty());
     let told = families.map(|family| format!("{}: {}", family.drive, modes(&family))).collect::<Vec<_>>().join("; ");
-    failure.hint(both!(
+    let message = match failure.code.as_str() {
+        "usage.mode" => both!("no family has a mode '{typed}'", "keine Familie hat eine Betriebsart '{typed}'"),
+        _ => failure.message.clone(),
+    };
+    Failure { message, ..failure }.hint(both!(
         "no drive was asked yet; --mode takes, by the family: {told}",
         "noch wurde kein Antrieb gefragt; --mode nimmt, je nach Familie: {told}"
     ))

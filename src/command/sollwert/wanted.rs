@@ -94,8 +94,8 @@ fn read_profile(path: &Path) -> Result<Spoken, Failure> {
 }
 
 fn profile_failure(path: &Path, line: usize, why: &Text) -> Failure {
-    let path = path.display();
-    Failure::new(Class::Data, "data.profile", both!("{path}:{line}: {why}", "{path}:{line}: {why}", why))
+    let place = if line == 0 { path.display().to_string() } else { format!("{}:{line}", path.display()) };
+    Failure::new(Class::Data, "data.profile", both!("{place}: {why}", "{place}: {why}", why))
 }
 
 /// A setpoint as one family understands it.
@@ -332,8 +332,9 @@ fn named_mode<'f>(args: &Args, family: &'f Family) -> Result<Option<&'f Mode>, F
     let Some(slug) = &args.mode else { return Ok(None) };
     family.mode(slug).map(Some).ok_or_else(|| {
         let text = both!(
-            "'{slug}' is no mode of this drive (expected: {modes})",
-            "'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {modes})",
+            "'{slug}' is no mode of the family {drive} (expected: {modes})",
+            "'{slug}' ist keine Betriebsart der Familie {drive} (möglich: {modes})",
+            drive = family.drive,
             modes = modes(family)
         );
         Failure::new(Class::Usage, "usage.mode", text)

@@ -1,6 +1,8 @@
 //! Finds the way from where a drive is to what is wished for.
 
-use super::said::{behind_another, cannot_follow, of_the_bus, out_of_range, speaks_one_only, unknown_settings};
+use super::said::{
+    ADDRESS, behind_another, cannot_follow, of_the_bus, out_of_range, speaks_one_only, unknown_settings,
+};
 use super::{Change, Course, Leg, Place, Then, Wish, coded, meaning, number, parities, protocols};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
@@ -76,7 +78,7 @@ impl Plot<'_, '_> {
         let family = self.target.family.clone();
         let old = number(&protocols(&family), &self.here.protocol);
         let address = self.stored(address_role(protocol)).await?;
-        let address = u8::try_from(address).map_err(|_| out_of_range("address", "1-247", &address))?;
+        let address = u8::try_from(address).map_err(|_| out_of_range(&ADDRESS, "1-247", &address))?;
         // From VABus nobody sees what parity Modbus has in force; it is looked for, from the stored one on.
         let parity = match self.here.protocol {
             Protocol::Modbus(_) => self.here.line.parity,
@@ -97,7 +99,7 @@ impl Plot<'_, '_> {
             Protocol::Modbus(_) => LAST_STATION,
         };
         let fits = u8::try_from(address).ok().filter(|address| *address <= last);
-        let address = fits.ok_or_else(|| out_of_range("address", &format!("1-{last}"), &address))?;
+        let address = fits.ok_or_else(|| out_of_range(&ADDRESS, &format!("1-{last}"), &address))?;
         let param = self.row(address_role(self.here.protocol))?;
         let old = Some(self.here.address.into());
         self.here.address = address;

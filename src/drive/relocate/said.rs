@@ -40,8 +40,18 @@ pub(super) fn of_the_bus() -> Failure {
     ))
 }
 
-pub(super) fn out_of_range(what: &str, expected: &str, got: &dyn Display) -> Failure {
-    let message = both!("{what}: expected {expected}, got {got}", "{what}: erwartet {expected}, erhalten {got}");
+/// What is out of range.
+pub(super) const ADDRESS: Text = Text::new("address", "Adresse");
+pub(super) const BAUD: Text = Text::new("baud", "Baudrate");
+
+pub(super) fn out_of_range(what: &Text, expected: &str, got: &dyn Display) -> Failure {
+    let message = both!(
+        "{what}: expected {expected}, got {got}",
+        "{what}: erwartet {expected}, erhalten {got}",
+        what,
+        expected,
+        got
+    );
     Failure::new(Class::Data, "data.range", message)
 }
 

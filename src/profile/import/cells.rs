@@ -129,7 +129,13 @@ pub(super) fn access(text: &str) -> Option<Access> {
     })
 }
 
-/// A yes or a no.
+/// Who may read and write what a list calls writable or not.
+pub(super) fn writable(text: &str) -> Option<Access> {
+    let is_no = ["no", "nein", "false", "falsch", "0", "n"].contains(&&*dense(text)) || matches!(text, "-" | "–" | "—");
+    if yes(text) { Some(Access::ReadWrite) } else { is_no.then_some(Access::Read) }
+}
+
+/// A yes.
 pub(super) fn yes(text: &str) -> bool {
     ["yes", "ja", "true", "wahr", "x", "1", "y", "j"].contains(&dense(text).as_str())
 }

@@ -26,18 +26,26 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("short", "kurzname kurzbezeichnung shortname kuerzel mnemonic", ""),
     ("unit", "einheit units dim dimension eh phyeinheit masseinheit", ""),
     ("type", "typ datentyp datatype datenformat dataformat", "format"),
-    ("decimals", "nachkommastellen dezimalstellen dezimalen kommastellen decimalplaces nk", "precision genauigkeit"),
+    (
+        "decimals",
+        "nachkommastellen dezimalstellen dezimalen kommastellen decimalplaces nk",
+        "komma nachkomma dezimal precision genauigkeit",
+    ),
     ("scale", "skalierung faktor factor scaling scalefactor multiplikator multiplier", "aufloesung resolution"),
     ("range", "bereich wertebereich einstellbereich range valuerange settingrange", ""),
     ("min", "minimum minwert minimalwert untergrenze von lower minvalue lowerlimit", ""),
     ("max", "maximum maxwert maximalwert obergrenze bis upper maxvalue upperlimit", ""),
     (
         "default",
-        "werk werkseinstellung werkeinstellung abwerk voreinstellung standard standardwert factory factorysetting \
+        "werk werkseinstellung werkeinstellung werkseinst werkseinstellungen werkswert abwerk voreinstellung standard standardwert factory factorysetting \
          defaultvalue",
         "",
     ),
-    ("access", "zugriff zugriffsart rw lesenschreiben readwrite berechtigung accessright", "attribut attribute"),
+    (
+        "access",
+        "zugriff zugriffsart rw lesenschreiben readwrite berechtigung accessright",
+        "schreibbar beschreibbar veraenderbar writable writeable attribut attribute",
+    ),
     ("sets", "datensatz datensaetze datasets dataset", ""),
     ("values", "werte auswahl auswahlwerte enum enumeration choices options optionen", ""),
     ("group", "gruppe kategorie category menu menue rubrik", ""),
@@ -69,6 +77,11 @@ impl Head {
     pub(super) fn column(&self, field: &str) -> Option<usize> {
         self.columns.iter().find(|taken| taken.field == field).map(|taken| taken.column - 1)
     }
+}
+
+/// Headings over a yes or a no: whether it can be written.
+pub(super) fn asks_whether_written(heading: &str) -> bool {
+    ["schreibbar", "beschreibbar", "veraenderbar", "writable", "writeable"].contains(&&*dense(heading))
 }
 
 /// How surely a heading means a field: 0 it is its name, 1 a word for it, 2 perhaps.

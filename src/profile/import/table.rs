@@ -7,6 +7,7 @@ use super::heading::{self, Head};
 use super::sheet::{self, Record};
 use crate::profile::link::INPUTS;
 use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
+use crate::profile::paramfile::ranges;
 use crate::text::{Text, both};
 
 /// The registers that are printed with a 4 in front: 40001 is register 0, or so most makers mean it.
@@ -45,7 +46,7 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let unused = unused.map(|(_, cell)| cell.clone()).collect();
     let records = records.get(head.rows_from..).unwrap_or(&[]);
     let commas = records.iter().flat_map(|record| &record.cells).any(|cell| cells::has_comma(cell));
-    let mut list = List { head: &head, wishes, commas, notes: Vec::new() };
+    let mut list = List { head: &head, wishes, commas, odd: Vec::new() };
     list.check_base(records)?;
     let (mut drafts, mut left_out) = (Vec::new(), Vec::new());
     for record in records {
@@ -54,8 +55,7 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
             Err(why) => left_out.push(LeftOut { line: record.line, why }),
         }
     }
-    list.tell_access();
-    let List { notes, .. } = list;
+    let notes = list.odd.iter().map(Odd::told).chain(list.open_access()).collect();
     let (format, separator, columns, head) = ("table", Some(separator), head.columns.clone(), head.line);
     let own = Default::default();
     let found = Imported { format, encoding, separator, head, columns, unused, drafts, left_out, notes, own };
@@ -88,7 +88,43 @@ struct List<'a> {
     wishes: &'a Wishes,
     /// Its decimal point is a comma.
     commas: bool,
-    notes: Vec<Text>,
+    odd: Vec<Odd>,
+}
+
+/// What is said of some cells, and these with their lines.
+struct Odd {
+    what: Text,
+    cells: Vec<(usize, String)>,
+}
+
+impl Odd {
+    /// So many cells are shown.
+    const SHOWN: usize = 3;
+
+    fn told(&self) -> Text {
+        let mut cells: Vec<&str> = Vec::new();
+        for (_, cell) in &self.cells {
+            if !cells.contains(&&**cell) {
+                cells.push(cell);
+            }
+        }
+        let more = if cells.len() > Self::SHOWN { ", …" } else { "" };
+        let cells = cells.iter().take(Self::SHOWN).map(|cell| format!("'{cell}'")).collect::<Vec<_>>().join(", ");
+        let (what, count) = (&self.what, self.cells.len());
+        let lines = ranges(self.cells.iter().filter_map(|(line, _)| u32::try_from(*line).ok()));
+        match count {
+            1 => both!("line {lines}: {cells}: {what}", "Zeile {lines}: {cells}: {what}", lines, cells, what),
+            _ => both!(
+                "lines {lines}, {count} cells ({cells}{more}): {what}",
+                "Zeilen {lines}, {count} Zellen ({cells}{more}): {what}",
+                lines,
+                count,
+                cells,
+                more,
+                what
+            ),
+        }
+    }
 }
 
 impl List<'_> {
@@ -102,8 +138,12 @@ impl List<'_> {
         self.get(record, field).map(str::to_owned)
     }
 
-    fn note(&mut self, line: usize, what: &Text) {
-        self.notes.push(both!("line {line}: {what}", "Zeile {line}: {what}", line, what));
+    /// What is said of a cell; what is said of many is one note.
+    fn note(&mut self, line: usize, what: Text, cell: &str) {
+        match self.odd.iter_mut().find(|odd| odd.what == what) {
+            Some(odd) => odd.cells.push((line, cell.to_owned())),
+            None => self.odd.push(Odd { what, cells: vec![(line, cell.to_owned())] }),
+        }
     }
 
     /// Register 40001 may be register 0 or register 40001: nobody but the maker knows.
@@ -184,11 +224,9 @@ impl List<'_> {
                 draft.limits[0] = Some("0".to_owned());
             }
             Kind::Unknown => {
-                let what = both!(
-                    "the type '{word}' is not known, so it stays open",
-                    "der Typ '{word}' ist unbekannt und bleibt offen"
-                );
-                self.note(record.line, &what);
+                let what =
+                    both!("this type is not known, so it stays open", "dieser Typ ist unbekannt und bleibt offen");
+                self.note(record.line, what, &word);
             }
         }
         Ok(())
@@ -198,8 +236,8 @@ impl List<'_> {
         if let Some(cell) = self.text(record, "decimals") {
             draft.decimals = cells::number(&cell, self.commas).and_then(|number| number.parse().ok());
             if draft.decimals.is_none() {
-                let what = both!("'{cell}' decimals are none", "'{cell}' Nachkommastellen gibt es nicht");
-                self.note(record.line, &what);
+                let what = both!("so many decimals there are not", "so viele Nachkommastellen gibt es nicht");
+                self.note(record.line, what, &cell);
             }
         }
         let is_open = draft.decimals.is_none() && draft.kind != Some(Type::Float);
@@ -207,10 +245,10 @@ impl List<'_> {
         draft.decimals = cells::number(&cell, self.commas).and_then(|scale| cells::decimals(&scale));
         if draft.decimals.is_none() {
             let what = both!(
-                "the scale '{cell}' is no 1, 0.1, 0.01 …, so the value is shown raw",
-                "die Skalierung '{cell}' ist nicht 1, 0.1, 0.01 …, der Wert wird roh gezeigt"
+                "a scale that is not 1, 0.1, 0.01 …, so the value is shown raw",
+                "eine Skalierung, die nicht 1, 0.1, 0.01 … ist; der Wert wird roh gezeigt"
             );
-            self.note(record.line, &what);
+            self.note(record.line, what, &cell);
             // Without a unit a raw number would pass for the value.
             draft.unit.get_or_insert_with(|| format!("× {cell}"));
         }
@@ -227,12 +265,12 @@ impl List<'_> {
             return Err(cells::scaled_float());
         }
         draft.decimals = None;
-        if std::mem::take(&mut draft.limits).iter().any(Option::is_some) {
+        for limit in std::mem::take(&mut draft.limits).into_iter().flatten() {
             let what = both!(
                 "a float is not held against limits here, so they are not taken",
                 "eine Gleitkommazahl wird hier nicht an Grenzen gemessen; sie werden nicht übernommen"
             );
-            self.note(record.line, &what);
+            self.note(record.line, what, &limit);
         }
         Ok(())
     }
@@ -251,17 +289,14 @@ impl List<'_> {
                 Some(number) if has_scale && is_scaled(&number) => draft.limits[place] = Some(number),
                 Some(_) => {
                     let what = both!(
-                        "'{cell}' is not taken: nothing tells the decimals (--set decimals=N)",
-                        "'{cell}' wird nicht übernommen: nichts nennt die Nachkommastellen (--set decimals=N)"
+                        "not taken, because nothing tells the decimals (--set decimals=N)",
+                        "nicht übernommen, denn nichts nennt die Nachkommastellen (--set decimals=N)"
                     );
-                    self.note(record.line, &what);
+                    self.note(record.line, what, &cell);
                 }
                 None => {
-                    let what = both!(
-                        "'{cell}' is no number, and is not taken",
-                        "'{cell}' ist keine Zahl und wird nicht übernommen"
-                    );
-                    self.note(record.line, &what);
+                    let what = both!("not taken, because it is no number", "nicht übernommen, denn es ist keine Zahl");
+                    self.note(record.line, what, &cell);
                 }
             }
         }
@@ -269,14 +304,16 @@ impl List<'_> {
 
     fn access(&mut self, record: &Record, draft: &mut Draft) {
         let Some(cell) = self.text(record, "access") else { return };
-        match cells::access(&cell) {
+        let heading = self.head.columns.iter().find(|taken| taken.field == "access");
+        let is_asked = heading.is_some_and(|taken| heading::asks_whether_written(&taken.heading));
+        match cells::access(&cell).or_else(|| is_asked.then(|| cells::writable(&cell)).flatten()) {
             Some(access) => draft.access = access,
             None => {
                 let what = both!(
-                    "the access '{cell}' is not known, taken as r (read only)",
-                    "der Zugriff '{cell}' ist unbekannt, genommen wird r (nur lesen)"
+                    "this access is not known, taken as r (read only)",
+                    "dieser Zugriff ist unbekannt, genommen wird r (nur lesen)"
                 );
-                self.note(record.line, &what);
+                self.note(record.line, what, &cell);
             }
         }
     }
@@ -344,13 +381,14 @@ impl List<'_> {
     }
 
     /// Nobody said who may write.
-    fn tell_access(&mut self) {
-        if self.head.column("access").is_none() && self.wishes.set("access").is_none() {
-            let read = Access::Read.name();
-            self.notes.push(both!(
+    fn open_access(&self) -> Option<Text> {
+        let is_open = self.head.column("access").is_none() && self.wishes.set("access").is_none();
+        let read = Access::Read.name();
+        is_open.then(|| {
+            both!(
                 "no column tells the access, so every row is read only ({read}); --set access=rw says otherwise",
                 "keine Spalte nennt den Zugriff, daher ist alles nur lesbar ({read}); --set access=rw sagt es anders"
-            ));
-        }
+            )
+        })
     }
 }

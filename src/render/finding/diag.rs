@@ -53,11 +53,20 @@ impl Page {
         }
     }
 
+    /// The fault that is present, that there is none, or why nobody can say.
+    pub(super) fn fault_of(self, report: &Diagnosis) -> Vec<(&'static str, String)> {
+        if report.tells_faults {
+            return self.fault_or_none(report.fault.as_ref(), report.fault_code);
+        }
+        vec![("fault", self.word("the catalogue names no parameter for it").to_owned())]
+    }
+
     /// The fault that is present, in a few words.
     pub(super) fn present(self, report: &Diagnosis) -> String {
         match (&report.fault, report.fault_code) {
             (Some(fault), _) => self.say(&fault.told()),
             (None, Some(_)) => "-".to_owned(),
+            (None, None) if !report.tells_faults => self.word("unknown").to_owned(),
             (None, None) => self.word("could not be read").to_owned(),
         }
     }
@@ -67,7 +76,7 @@ impl Page {
         if let Some(error) = &report.error {
             return text + &self.prose(error.message.get(self.lang));
         }
-        let mut rows = self.fault_or_none(report.fault.as_ref(), report.fault_code);
+        let mut rows = self.fault_of(report);
         if let Some(status) = &report.status {
             let state = self.say_or_not(status.state.as_ref().map(|state| &state.name));
             rows.push(("state", format!("{state} ({})", status.hex)));

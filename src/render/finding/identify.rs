@@ -22,18 +22,18 @@ impl Page {
             return text + &self.prose(error.message.get(self.lang));
         }
         let product = identity.product.as_ref().map_or_else(String::new, |product| format!(", {product}"));
-        text += &format!("{}\n\n", clean(&(identity.title.get(self.lang).to_owned() + &product)));
-        text += &self.values(&identity.values);
+        text += &format!("{}\n", clean(&(identity.title.get(self.lang).to_owned() + &product)));
         let rows = identity.modules.iter().map(|module| {
             let present = if module.present { "present" } else { "not fitted" };
             vec![module.name.clone(), self.word(present).to_owned(), module.evidence.get(self.lang).to_owned()]
         });
-        text += "\n";
-        text += &self.table(&["module", "", "evidence"], rows.collect());
+        let modules = self.table(&["module", "", "evidence"], rows.collect());
         let rows = identity.evidence.iter();
         let rows = rows
             .map(|row| [&row.asked, &row.answered, &row.tells].map(|text| text.get(self.lang).to_owned()).to_vec())
             .collect();
-        text + "\n" + &self.table(&["asked", "value", "tells"], rows)
+        let evidence = self.table(&["asked", "value", "tells"], rows);
+        let parts = [self.values(&identity.values), modules, evidence].into_iter().filter(|part| !part.is_empty());
+        text + &parts.map(|part| format!("\n{part}")).collect::<String>()
     }
 }

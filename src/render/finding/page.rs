@@ -182,7 +182,7 @@ impl Page {
         }
         if let Some(expected) = &value.expected {
             parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
-        } else if value.value.is_none() && value.raw.is_some() && value.kind != Some("float") {
+        } else if is_unscaled(value) {
             let unit = value.unit.as_ref().map_or_else(String::new, |unit| format!(": {unit}"));
             parts.push(format!("({}{unit})", self.word("raw, decimals unknown")));
         }
@@ -250,15 +250,19 @@ pub(super) fn shown(number: Decimal, hex: bool) -> String {
 pub(super) fn number(value: &Value) -> String {
     match (value.value, value.raw) {
         (Some(number), _) => shown(number, value.hex),
-        (None, Some(raw)) => raw.to_string(),
-        (None, None) => "-".to_owned(),
+        // The bits of a floating point are no number that anybody reads.
+        (None, Some(raw)) if value.kind != Some(FLOAT) => raw.to_string(),
+        (None, _) => "-".to_owned(),
     }
 }
 
 /// A raw number whose decimals nobody knows.
 pub(super) fn is_unscaled(value: &Value) -> bool {
-    value.value.is_none() && value.raw.is_some()
+    value.value.is_none() && value.raw.is_some() && value.kind != Some(FLOAT)
 }
+
+/// The type whose raw integer is its bits.
+const FLOAT: &str = "float";
 
 /// The unit of the number that is shown; a raw one is in none.
 pub(super) fn unit(value: &Value) -> &str {

@@ -46,24 +46,29 @@ impl Page {
         let mut rows: Vec<_> = scan.drives.iter().map(row).collect();
         let mut head = if shows_port { vec!["port"] } else { Vec::new() };
         if shows_line {
-            head.extend(["line", "protocol"]);
+            head.extend(["=line", "protocol"]);
         }
-        head.extend([">addr", "drive", "name", "state", "fault", "warnings"]);
+        head.extend([">addr", "drive", "name", "=state", "fault", "warnings"]);
         if self.full {
             head.push("evidence");
         }
+        // What it is called its family says too: where a drive takes more than a line with it, it goes.
+        let whole: Vec<_> = head.iter().map(|name| format!("={}", name.trim_start_matches(['>', '=']))).collect();
+        let whole: Vec<&str> = whole.iter().map(String::as_str).collect();
+        if let Some(name) =
+            head.iter().position(|name| *name == "name").filter(|_| !self.full && !self.has_room(&whole, &rows))
+        {
+            head.remove(name);
+            rows.iter_mut().for_each(|row| drop(row.remove(name)));
+        }
         // Of a fault its code is enough to look it up; a torn word is not.
-        let (fault, is_full) = (head.iter().position(|name| *name == "fault"), self.full);
-        let kept: Vec<_> = head.iter().filter(|name| **name != "name").copied().collect();
-        let without = |row: &Vec<String>| {
-            let cells = head.iter().zip(row).filter(|(name, _)| **name != "name");
-            cells.map(|(_, cell)| cell.clone()).collect::<Vec<_>>()
-        };
-        if !is_full && !self.has_room(&kept, &rows.iter().map(without).collect::<Vec<_>>()) {
-            for cell in rows.iter_mut().filter_map(|row| row.get_mut(fault?)) {
+        if let Some(fault) =
+            head.iter().position(|name| *name == "fault").filter(|_| !self.full && !self.has_room(&head, &rows))
+        {
+            for cell in rows.iter_mut().filter_map(|row| row.get_mut(fault)) {
                 *cell = cell.split(' ').next().unwrap_or_default().to_owned();
             }
         }
-        self.yielding(&head, rows, &["name", "protocol"])
+        self.yielding(&head, rows, &["protocol"])
     }
 }

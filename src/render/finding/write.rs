@@ -34,7 +34,7 @@ impl Page {
                 row.address.to_string(),
                 numbered(row.param, row.index),
                 set_name(row.data_set, row.store),
-                row.store.to_owned(),
+                self.word(row.store).to_owned(),
                 self.say(&row.name),
                 old(row),
                 shown(row.value, false),

@@ -85,8 +85,8 @@ fn what_nobody_said_stays_open_or_is_asked() {
     let bare = "Nr;Name;Einheit;Max;Typ\n1500;Druck;bar;16,0;Zahl\n1501;Temperatur;;5;DOUBLE\n";
     let told = antrieb("params import {dir}/bare.csv").file("bare.csv", bare).exits(0).out;
     for part in [
-        "note: line 2: the type 'Zahl' is not known, so it stays open",
-        "'16,0' is not taken: nothing tells the decimals (--set decimals=N)",
+        "note: line 2: 'Zahl': this type is not known, so it stays open",
+        "'16,0': not taken, because nothing tells the decimals (--set decimals=N)",
         "so every row is read only (r); --set access=rw says otherwise",
         "left out, line 3: the type 'DOUBLE' is none that this program shows right",
         "unit = \"bar\", access = \"r\" }",
@@ -98,6 +98,41 @@ fn what_nobody_said_stays_open_or_is_asked() {
     assert!(told.contains("access = \"rw\", max = 16, decimals = 1"), "{told}");
     // Neither a type that is not known nor a float is taken for something.
     assert!(told.contains("id = 1501") && !told.contains("type ="), "{told}");
+}
+
+/// A list with the headings of a German maker: places behind the comma, whether a parameter can be written.
+const MAKER: &str = "\u{FEFF}P-Nr.;Parametername;Dim.;Format;Komma;Minimum;Maximum;Werkseinst.;Schreibbar\r\n\
+    P.370;\"Motor, kalt\";Ohm;int;2;0,00;99,99;1,50;ja\r\n\
+    P.371;Streufaktor;%;uint;1;0,0;200,0;;nein\r\n\
+    P.420;Beschl. rechts;Hz/s;long;2;0,01;1.000,00;5,00;ja\r\n\
+    P.421;Verz. rechts;Hz/s;long;2;0,01;1.000,00;5,00;-\r\n\
+    Summe;4;;;;;;;\r\n";
+
+#[test]
+fn the_headings_of_a_german_maker_are_known() {
+    let told = antrieb("--lang de params import {dir}/a.csv").file("a.csv", MAKER).exits(0).out;
+    assert!(!told.contains("nicht genommen") && !told.contains("Anmerkung"), "{told}");
+    for row in [
+        r#"{ id = 370, slug = "motor-kalt", en = "Motor, kalt", de = "Motor, kalt", unit = "Ohm", type = "int", access = "rw", min = 0, max = "99.99", default = "1.5", decimals = 2 }"#,
+        r#"type = "uint", access = "r", min = 0, max = 200, decimals = 1 }"#,
+        r#"access = "rw", min = "0.01", max = 1000, default = 5, decimals = 2 }"#,
+        r#"access = "r", min = "0.01", max = 1000, default = 5, decimals = 2 }"#,
+    ] {
+        assert!(told.contains(row), "{row}\n{told}");
+    }
+    // A yes is an access only where the heading asks whether it can be written.
+    let asked = MAKER.replace("Schreibbar", "Zugriff");
+    let told = antrieb("params import {dir}/a.csv").file("a.csv", &asked).exits(0).out;
+    assert!(told.contains("note: lines 2-5, 4 cells ('ja', 'nein', '-'): this access is not known"), "{told}");
+}
+
+#[test]
+fn what_is_said_of_many_cells_is_said_once() {
+    let open = MAKER.replace("Komma", "Platz");
+    let told = antrieb("--lang de params import {dir}/a.csv").file("a.csv", &open).exits(0).out;
+    assert_eq!(told.matches("Anmerkung").count(), 1, "{told}");
+    let note = "Anmerkung: Zeilen 2-5, 11 Zellen ('0,00', '99,99', '1,50', …): nicht übernommen, denn nichts nennt die Nachkommastellen";
+    assert!(told.contains(note), "{told}");
 }
 
 #[test]

@@ -43,7 +43,8 @@ fn short_help_has_a_line_for_each_option_and_fits_a_screen() {
 /// Own options go first, then those of every verb in the order in which they matter; what is left to `--help` is counted.
 #[test]
 fn what_short_help_leaves_out_is_counted_and_own_options_go_before_common_ones() {
-    let is_name = |name: &str| name.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '-');
+    let is_name =
+        |name: &str| name.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '-');
     let options = |page: &str| -> BTreeSet<String> {
         let lines = page.lines().filter(|line| line.trim_start().starts_with('-'));
         let names = lines.filter_map(|line| line.split("--").nth(1)?.split([' ', '.']).next());

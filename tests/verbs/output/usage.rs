@@ -49,16 +49,16 @@ const MISTAKES: &[Mistake] = &[
     ),
     mistake(
         "dataset copy 1",
-        ["missing behind `dataset copy`: <TO>", "es fehlt hinter `dataset copy`: <TO>"],
+        ["missing behind `dataset copy`: <TO>", "es fehlt hinter `dataset copy`: <BIS>"],
         [
             "it is called as `antrieb dataset copy <FROM> <TO> [PARAMETER]...`; `antrieb dataset copy -h` shows the rest",
-            "der Aufruf ist `antrieb dataset copy <FROM> <TO> [PARAMETER]...`; `antrieb dataset copy -h` zeigt das Übrige",
+            "der Aufruf ist `antrieb dataset copy <VON> <BIS> [PARAMETER]...`; `antrieb dataset copy -h` zeigt das Übrige",
         ],
     ),
     mistake(
         "state goto",
-        ["missing behind `statemachine goto`: <STATE>", "es fehlt hinter `statemachine goto`: <STATE>"],
-        ["it is called as `antrieb statemachine goto <STATE>`", "der Aufruf ist `antrieb statemachine goto <STATE>`"],
+        ["missing behind `statemachine goto`: <STATE>", "es fehlt hinter `statemachine goto`: <ZUSTAND>"],
+        ["it is called as `antrieb statemachine goto <STATE>`", "der Aufruf ist `antrieb statemachine goto <ZUSTAND>`"],
     ),
     mistake(
         "read 372 --decimals",
@@ -139,7 +139,7 @@ const MISTAKES: &[Mistake] = &[
     ),
     mistake(
         "scan --port sim --config a --config b",
-        ["'--config <FILE>' is there twice", "'--config <FILE>' steht zweimal da"],
+        ["'--config <FILE>' is there twice", "'--config <DATEI>' steht zweimal da"],
         ["`antrieb scan -h` shows", "`antrieb scan -h` zeigt"],
     ),
     mistake(

@@ -139,3 +139,64 @@ fn a_search_that_was_cut_short_names_its_settings() {
     );
     assert!(!told.contains("RESULT.json can be gone on with: "), "{told}");
 }
+
+/// Nobody has asked a drive what modes it has; a family that was named has those of its catalogue.
+#[test]
+fn a_mode_that_nobody_has_is_not_said_of_a_drive_that_nobody_asked() {
+    let told = antrieb("-p sim -a 2 sollwert 300 --mode foo").exits(2).err;
+    assert!(told.contains("no family has a mode 'foo'") && told.contains("lxm05: velocity"), "{told}");
+    let told = antrieb("-p sim -a 2 --drive lxm05 sollwert 300 --mode foo").exits(2).err;
+    assert!(told.contains("'foo' is no mode of the family lxm05 (expected: velocity"), "{told}");
+}
+
+#[test]
+fn places_names_and_placeholders_are_told_as_they_are() {
+    for (line, part) in [
+        ("-p sim -a 1 --lang de line set --address 400 --yes", "Adresse: erwartet 1-247, erhalten 400"),
+        ("--lang de simulate nix.toml", "Prüfstanddatei"),
+        ("-p sim -a 1 --lang de write 423=5Hz", "Parameter 423: die Einheit"),
+        ("-p sim -a 1 write 423=5Hz", "parameter 423: the unit"),
+        ("-p sim -a 1 sollwert --enable --profile nix.csv", "nix.csv: "),
+        ("-p sim --lang de write", "`antrieb write <PARAMETER=WERT>...`"),
+        ("-p sim write", "`antrieb write <PARAMETER=VALUE>...`"),
+    ] {
+        let told = antrieb(line).run().err;
+        assert!(told.contains(part), "{line}: {told}");
+    }
+}
+
+/// Who was not understood at the setting that he typed is told to search others, and a bus of one rate is left alone.
+#[test]
+fn behind_silence_a_search_is_proposed_that_can_find_somebody() {
+    for (line, search) in [
+        ("-a 1 --parity odd read 411", "-p sim:{dir}/bench.toml --parity auto scan`"),
+        ("-a 1 -b 9600 read 411", "-p sim:{dir}/bench.toml -b auto scan`"),
+        ("-a 1 read 411 480", "`antrieb -p sim:{dir}/bench.toml scan`"),
+    ] {
+        let told = antrieb(line).on("[[drive]]\nmodel = \"act\"\naddress = 7\n").run();
+        let search = search.replace("{dir}", &told.directory().display().to_string());
+        assert!(told.err.contains(&search), "{line}: {}", told.err);
+    }
+}
+
+#[test]
+fn the_keypad_of_a_run_without_a_setpoint_says_why_it_has_no_arrows() {
+    for (lang, why) in [("en", "gives none"), ("de", "gibt keinen")] {
+        let line = format!("--lang {lang} -p sim -a 2 statemachine enable --hold --view --step 1Hz");
+        let told = antrieb(&line).exits(2).err;
+        assert!(told.contains(why) && told.contains("--enable --hold --view --step"), "{told}");
+    }
+}
+
+/// A setting of the line and the name of a drive are whole, or not there.
+#[test]
+fn a_row_of_a_search_breaks_no_setting_and_no_name() {
+    let slow =
+        "[[drive]]\nmodel = \"acu\"\naddress = 3\nbaud = 2400\n[[drive]]\nmodel = \"act\"\naddress = 1\nbaud = 2400\n";
+    for lang in ["en", "de"] {
+        let told = antrieb(&format!("--lang {lang} -a 1-3 --baud auto scan")).on(slow).columns(80).exits(0).out;
+        assert_eq!(told.matches("2400 8E1").count(), 2, "{told}");
+        assert!(told.lines().all(|line| line.trim() != "Cube" && !line.ends_with("ACTIVE")), "{told}");
+        assert_eq!(told.lines().filter(|line| !line.is_empty()).count(), 3, "{told}");
+    }
+}

@@ -98,6 +98,19 @@ fn every_other_verb_takes_it_as_it_is() {
     assert!(faulted.err.contains("a fault is present at address 5"), "{}", faulted.err);
 }
 
+/// What a catalogue of one's own does not say leaves no gap, and is said to be unknown in the language of the page.
+#[test]
+fn what_its_catalogue_does_not_say_leaves_no_gap() {
+    let told = hydra("identify").exits(0).out;
+    assert!(!told.contains("\n\n\n"), "{told:?}");
+    let silent = PUMPS.replace("[roles]\nfault = 106\n", "");
+    let line = "--lang de --catalogue {dir}/silent.toml --drive hydra3 -a 5 diag";
+    let told = antrieb(line).file("silent.toml", &silent).on(BENCH).exits(0).out;
+    assert!(told.contains("Störung  der Katalog nennt keinen Parameter dafür"), "{told}");
+    let told = hydra("--lang de write limit=12bar --yes").exits(0).out;
+    assert!(told.contains("unbekannt") && !told.contains("unknown"), "{told}");
+}
+
 #[test]
 fn its_line_is_measured_by_what_it_shows_and_not_by_what_only_an_active_has() {
     for line in ["diag line --count 3", "diag --link-test 3"] {

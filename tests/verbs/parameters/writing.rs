@@ -291,6 +291,9 @@ fn data_sets_are_copied_as_far_as_they_differ() {
     let run = antrieb("-a 1 -v dataset copy 2 3 372").on(differing).answered("n").exits(8);
     assert_eq!(writes(&run.sent()), [""; 0]);
     // What a copy writes depends on what it reads, and a dry run opens nothing.
+    // A parameter that the drive has not: which one, and in which data set.
+    let refused = antrieb("-a 1 --yes dataset copy 2 3 372 5").on(differing).exits(6).err;
+    assert!(refused.contains("nothing was copied, because 5@2 could not be read: drive 1 refused"), "{refused}");
     antrieb("-p /dev/antrieb-has-no-such-port -a 1 --dry-run dataset copy 2 3 372").json().exits(2);
 }
 

@@ -38,7 +38,7 @@ impl Page {
             let state = self.say_or_not(status.state.as_ref().map(|state| &state.name));
             rows.push(("state", format!("{state} ({})", status.hex)));
         }
-        rows.extend(self.fault_or_none(found.fault.as_ref(), found.fault_code));
+        rows.extend(self.fault_of(found));
         rows.extend(found.warnings.iter().flat_map(|word| self.warnings(word)));
         rows.extend(self.missing(&found.missing));
         rows.extend(self.memory(&found.memory));

@@ -33,7 +33,9 @@ impl Screen {
             ));
         }
         let rows = rows.into_iter().map(|(label, text)| format!(" {label}: {text}"));
-        let notes = self.notes.iter().rev().map(|note| format!(" {note}"));
+        // The last one stands below.
+        let said = self.notes.iter().rev().filter(|note| **note != self.note && **note != self.alarm);
+        let notes = said.map(|note| format!(" {note}"));
         let shown = rows.chain([String::new()]).chain(notes).map(|line| wrap(&clean(&line), Some(area.width)));
         frame.render_widget(Paragraph::new(shown.collect::<Vec<_>>().join("\n")), area);
     }
