@@ -150,12 +150,26 @@ fn elements_are_read_by_their_number() {
     assert_eq!(row(1), [915, 1, 0]);
     assert_eq!(run.data("/values/2/raw"), 0);
     assert!(run.data("/values/2").get("index").is_none());
-    for (typed, code) in [("964.9", 6), ("964", 6), ("F002.1", 7), ("7.1", 6)] {
+    for (typed, code) in [("964.9", 6), ("F002.1", 7), ("7.1", 6)] {
         antrieb(&format!("-a 3 --protocol dp --yes read {typed}")).on(&line("", "")).exits(code);
         if code == 6 {
             assert!(is_let_go(&later()), "{typed}");
         }
     }
+}
+
+#[test]
+fn an_array_without_an_element_is_all_of_its_elements() {
+    let run = antrieb("-a 3 --protocol dp --yes read 964 915").on(&line("", "")).json().exits(0);
+    let values = run.data("/values").as_array().unwrap();
+    let read: Vec<_> = values.iter().map(|value| [value["param"].clone(), value["index"].clone()]).collect();
+    let expected = (1..=5).map(|at| [964, at]).chain((1..=8).map(|at| [915, at]));
+    assert_eq!(read, expected.map(|row| row.map(serde_json::Value::from)).collect::<Vec<_>>());
+    assert!(values.iter().all(|value| value["raw"].is_i64()), "{values:?}");
+    assert!(is_let_go(&later()));
+    let run = antrieb("-a 3 --protocol dp --yes write 915=34").on(&line("", "")).json().exits(2);
+    assert_eq!(run.error()["code"], "usage.element");
+    assert!(witness::left_profibus().is_none(), "no line was opened");
 }
 
 #[test]

@@ -74,7 +74,16 @@ pub(super) fn element(text: &str) -> (&str, Option<u8>) {
     element.map_or((text, None), |(number, element)| (number, Some(element)))
 }
 
-/// Parameters to read, each with its element.
+/// How many elements an array has (SJ2-PB manual 5.1); `None` of what is none.
+pub(super) fn elements(id: u32) -> Option<u8> {
+    match id {
+        915 | 916 => Some(8),
+        964 => Some(5),
+        _ => None,
+    }
+}
+
+/// Parameters to read, each with its element; an array without one is all of its elements.
 pub(super) fn params(typed: &[String], family: &Family) -> Result<Vec<(Param, Option<u8>)>, Failure> {
     let mut params = Vec::new();
     for text in typed {
@@ -83,7 +92,15 @@ pub(super) fn params(typed: &[String], family: &Family) -> Result<Vec<(Param, Op
         for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
             crate::command::check_number(family, &selection.param)?;
             crate::command::check_sets(family, selection.sets)?;
-            params.extend(selection.param.access.reads().then_some((selection.param, element)));
+            let param = selection.param;
+            if !param.access.reads() {
+                continue;
+            }
+            match elements(param.id).filter(|_| element.is_none()) {
+                // An array has no value as a whole.
+                Some(count) => params.extend((1..=count).map(|element| (param.clone(), Some(element)))),
+                None => params.push((param, element)),
+            }
         }
     }
     Ok(params)

@@ -1,6 +1,6 @@
 //! `write` with PROFIBUS spoken: parameters of an inverter over PKW, asked for and proven as everywhere.
 
-use super::given::{SlaveArgs, element};
+use super::given::{SlaveArgs, element, elements};
 use super::open;
 use super::spoken::Spoken;
 use super::taking::{question, whom};
@@ -8,7 +8,7 @@ use crate::command::{Context, asking};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::profibus::{Exchange, planned};
 use crate::drive::{Target, summary};
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::gate;
 use crate::outcome::{Data, ErrorDoc, Outcome, Warning, Write, WriteResult, Written};
 use crate::profile::{Family, HazardKind, Param};
@@ -69,6 +69,9 @@ fn steps(wanted: &Wanted<'_>, family: &Rc<Family>, address: u8) -> Result<(Vec<S
     for (who, what) in &wanted.assignments {
         let (who, element) = element(who);
         for mut step in (wanted.assigned)(family, who, what)? {
+            if let (None, Some(count)) = (element, elements(step.param.id)) {
+                return Err(no_element(step.param.id, count));
+            }
             let mapped = u32::try_from(step.raw).ok().and_then(|index| family.param(index));
             if step.param.id == MAPPING && mapped.is_some_and(|param: &Param| param.hazard.is_some()) {
                 step.param.hazard = Some(HazardKind::Motion);
@@ -78,6 +81,14 @@ fn steps(wanted: &Wanted<'_>, family: &Rc<Family>, address: u8) -> Result<(Vec<S
         }
     }
     Ok((steps, rows))
+}
+
+/// An array has no value as a whole.
+fn no_element(id: u32, count: u8) -> Failure {
+    let message =
+        both!("P.{id} is an array of {count}: which element?", "P.{id} ist ein Feld mit {count} Elementen: welches?");
+    Failure::new(Class::Usage, "usage.element", message)
+        .hint(both!("behind a point, from 1: {id}.1", "hinter einem Punkt, ab 1: {id}.1"))
 }
 
 /// Asks, with the slave kept going, and writes one value after another; the first that fails leaves out the rest.

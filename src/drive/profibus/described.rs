@@ -1,5 +1,6 @@
 //! A slave as its GSD describes it: what of that goes into Set_Prm for a mode.
 
+use super::MOST_USER;
 use super::mode::Mode;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -35,7 +36,17 @@ pub fn of_gsd(gsd: &Gsd, mode: Mode, series: Option<&[u8]>) -> Result<Vec<u8>, F
             meant.next().filter(|_| meant.next().is_none()).ok_or_else(|| none_fits(gsd, cfg))?
         }
     };
-    Ok([&gsd.user[..], &module.user].concat())
+    let user = [&gsd.user[..], &module.user].concat();
+    if user.len() > MOST_USER { Err(too_long(gsd, user.len())) } else { Ok(user) }
+}
+
+fn too_long(gsd: &Gsd, length: usize) -> Failure {
+    let model = &gsd.model;
+    let message = both!(
+        "the GSD of '{model}' has {length} bytes of user parameters: Set_Prm takes {MOST_USER}",
+        "die GSD von '{model}' hat {length} Bytes Anwenderparameter: Set_Prm fasst {MOST_USER}"
+    );
+    Failure::new(Class::Data, "data.gsd", message)
 }
 
 fn none_fits(gsd: &Gsd, cfg: Layout) -> Failure {

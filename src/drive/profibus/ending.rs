@@ -1,8 +1,9 @@
 //! The only end of an exchange: the stop word with control kept until the frequency is 0, then what was lent is given back, then zero
 //! outputs, Clear, Unlock. Zero outputs alone are no stop.
 //!
-//! In Basic mode outputs of zero give start and setpoint to the terminals (3.2.2). So a motor that turned before we had it gets none, and
-//! one that zero outputs start is stopped again: such a slave is let go under the stop word, and that is a failure.
+//! Outputs of zero give start and setpoint to the terminals: in Basic mode always (3.2.2), in ProfiDrive mode perhaps (bit 10, 4.1.2.1). So
+//! in Basic mode a motor that turned before we had it gets none, and one that zero outputs start is stopped again: such a slave is let go under
+//! the stop word, and that is a failure.
 
 use super::exchange::{Exchange, LOST, Lent, RIGHT};
 use super::mode::{Seen, Words};
@@ -62,10 +63,13 @@ impl Exchange<'_, '_> {
             done => done,
         };
         let returned = if stopped.is_ok() { self.give_back().await } else { Ok(()) };
-        let (standing, seen) = (self.still.standing().filter(|stands| stopped.is_ok() || !stands), self.seen);
+        let seen = self.seen;
         let released = self.release(stopped.is_ok()).await;
+        // Whoever was started as he was let go, and did not stop again, turns.
+        let is_dark = [&stopped, &released].iter().all(|done| !is_turning(done)) && stopped.is_ok();
+        let standing = self.still.standing().filter(|stands| is_dark || !stands);
         Ending {
-            is_dark: stopped.is_ok() && seen.is_some(),
+            is_dark: is_dark && seen.is_some(),
             standing,
             coasted: self.still.coasts,
             has_turned: self.still.has_turned(),
@@ -101,7 +105,8 @@ impl Exchange<'_, '_> {
             return Ok(Err(trouble::kept_from_terminals(self.address())));
         }
         self.words = Words { stw: 0, hsw: 0 };
-        if !is_basic {
+        if !is_basic && !self.ours && !self.driven {
+            // Nobody had it turn.
             self.cycle().await?;
         } else if self.starts_by_itself().await? {
             self.words = self.mode().stop();
@@ -205,6 +210,10 @@ impl Exchange<'_, '_> {
             Err(unread) => Err(written.err().unwrap_or(unread)),
         }
     }
+}
+
+fn is_turning(done: &Result<(), Failure>) -> bool {
+    done.as_ref().is_err_and(|why| why.code == trouble::NOT_STILL)
 }
 
 fn changed(lent: &Lent) -> Change {

@@ -106,7 +106,7 @@ impl Reader {
         match key.trim().to_ascii_lowercase().as_str() {
             "ident_number" => self.gsd.ident = u16::try_from(number(value)?).ok()?,
             "model_name" => self.gsd.model = quoted(value)?.0,
-            "user_prm_data" => self.old = bytes(value)?,
+            "user_prm_data" => self.old = bytes(value).filter(|user| user.len() <= MOST_USER)?,
             "extuserprmdata" => self.defines = Some(number(value.split(['"', ' ', '\t']).next()?)?),
             "module" => {
                 let (name, rest) = quoted(value)?;
@@ -245,6 +245,8 @@ mod tests {
             let broken = Gsd::parse(&TEXT.replace(from, to)).unwrap_err();
             assert_eq!(broken.line, line, "{broken}");
         }
+        let long = "1,".repeat(MOST_USER + 1);
+        assert_eq!(Gsd::parse(&TEXT.replace("0x01, 0x02", &long)).unwrap_err().line, 6);
         for end in 0..TEXT.len() {
             let _any = Gsd::parse(&TEXT[..end]);
             let _any = Gsd::parse(&[&TEXT[..end], "(9999999999999999999)=-1-"].concat());

@@ -44,8 +44,11 @@ fn a_module_that_is_missing_or_one_of_several_is_named_before_a_line_is_opened()
 
 #[test]
 fn what_is_no_gsd_is_told_with_its_line() {
-    for (from, to, told) in [("#Profibus_DP", "", "#Profibus_DP"), ("0xF3,0xF1", "0xF3,PPO", ":4:")] {
-        let run = with(&GSD.replace(from, to), "read F002").on(&line("", "")).json().exits(7);
+    // Each part fits into Set_Prm, and the two together do not.
+    let long = GSD.replace("0xF3,0xF1\n", "0xF3,0xF1\nExt_User_Prm_Data_Const(230)=1\n");
+    let long = long.replace("Ident_Number", "User_Prm_Data=1,2,3,4,5,6,7,8\nIdent_Number");
+    for (from, to, told) in [("#Profibus_DP", "", "#Profibus_DP"), ("0xF3,0xF1", "0xF3,PPO", ":5:"), ("", "", "239")] {
+        let run = with(&long.replace(from, to), "read F002").on(&line("", "")).json().exits(7);
         assert_eq!(run.error()["code"], "data.gsd");
         assert!(run.error()["message"].as_str().unwrap().contains(told), "{}", run.error());
     }

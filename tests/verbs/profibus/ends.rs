@@ -417,3 +417,26 @@ fn a_port_that_takes_no_bytes_for_a_while_keeps_no_stop_from_its_motor() {
         }
     }
 }
+
+/// A contact that was closed in the run starts the motor where outputs of zero give it to the terminals.
+#[test]
+fn a_motor_that_outputs_of_zero_start_is_stopped_again() {
+    let line = "sollwert 20Hz --enable --hold --duration 3s --watchdog 2s";
+    let set = RESTS.replace("\"928\" = 0", "\"928\" = 1");
+    for (readings, code) in [("without_control = \"local\"", ("forbidden.terminals", 8)), ("", ("", 0))] {
+        for at in ["4s", "6s"] {
+            let bench = module(&set, readings, &event(at, "contact = true"));
+            let came = does(line, &bench, Hand::default());
+            let what = format!("{readings} {at}: {:?}", came.failure());
+            assert_eq!(came.code(), code, "{what}");
+            came.holds(&what);
+            let motion = came.motion();
+            assert_eq!((motion.running, motion.standing), (Some(false), Some(true)), "{what}");
+            assert_eq!(came.moments().last().unwrap().shaft, 0, "{what}");
+        }
+    }
+    // So is one that its terminals ran before it was taken.
+    let came = does("statemachine disable", &driven(1, "without_control = \"local\""), Hand::default());
+    assert_eq!(came.code(), ("forbidden.terminals", 8), "{:?}", came.failure());
+    came.holds("driven before");
+}
