@@ -2,6 +2,7 @@
 //! is read over PKW, behind the stop word like any other parameter.
 
 use super::exchange::Exchange;
+use super::looked::fault;
 use super::mode::Mode;
 use super::state;
 use super::words::FULL;
@@ -147,6 +148,8 @@ impl Source for Exchange<'_, '_> {
         let Some(family) = station.target.as_ref().map(|target| target.family.clone()) else { return Ok(haul) };
         while !matches!(self.cycle().await?, Cycle::Inputs(_)) {}
         haul.state = self.seen().map(state::of);
+        // A bit of ZSW names no cause.
+        station.fault = self.seen().filter(|_| self.mode().is_basic()).and_then(fault);
         for item in &mut station.items {
             let (value, failure) = self.item(&family, item).await?;
             let is_lacking = failure.as_ref().is_some_and(|failure| failure.class == Class::Refused && item.lenient);

@@ -6,7 +6,7 @@ use super::trip::Memory;
 use super::{Chosen, Place};
 use crate::drive::Target;
 use crate::failure::Failure;
-use crate::outcome::{Record, Sample, SampleValue, State, TriggerNews, Value, Warning};
+use crate::outcome::{Fault, Record, Sample, SampleValue, State, TriggerNews, Value, Warning};
 use crate::tick::Tick;
 
 /// A drive that is watched.
@@ -27,6 +27,8 @@ pub(in crate::drive) struct Station {
     /// What is waited for in it.
     armed: Vec<Armed>,
     memory: Memory,
+    /// What ails it now, where no value tells that.
+    pub(in crate::drive) fault: Option<Fault>,
 }
 
 /// What came of asking one drive.
@@ -53,6 +55,7 @@ impl Station {
             asked_widths: Vec::new(),
             armed: Vec::new(),
             memory: Memory::default(),
+            fault: None,
         }
     }
 
@@ -66,7 +69,7 @@ impl Station {
     /// What a sample shows that is told before it: that the drive went into a fault, and each trigger that came true.
     pub(super) fn news(&mut self, sample: &Sample) -> Vec<Record> {
         let Some(family) = self.target.as_ref().map(|target| target.family.clone()) else { return Vec::new() };
-        let trip = self.memory.take(sample, &family).map(|trip| Record::Trip(Box::new(trip)));
+        let trip = self.memory.take(sample, &family, self.fault.as_ref()).map(|trip| Record::Trip(Box::new(trip)));
         let (t, address) = (sample.t, sample.address);
         let triggers = self.armed.iter_mut().filter_map(|armed| {
             let is_true = armed.comes_true(sample);

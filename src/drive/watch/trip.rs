@@ -1,7 +1,7 @@
 //! What was seen of a drive last before a fault.
 
 use crate::drive::describe;
-use crate::outcome::{Before, Sample, Trip, Value};
+use crate::outcome::{Before, Fault, Sample, Trip, Value};
 use crate::profile::Family;
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
@@ -16,8 +16,8 @@ pub(super) struct Memory {
 
 impl Memory {
     /// Takes a sample; what is to be told if the drive went into a fault with it. A fault that was there at the first look came
-    /// before anybody looked.
-    pub(super) fn take(&mut self, sample: &Sample, family: &Family) -> Option<Trip> {
+    /// before anybody looked. `told` is what ails it, where no value tells that.
+    pub(super) fn take(&mut self, sample: &Sample, family: &Family, told: Option<&Fault>) -> Option<Trip> {
         let word = sample.values.iter().find_map(|row| row.value.word.as_ref().filter(|word| word.state.is_some()));
         let fault = family.role("fault").and_then(|param| {
             let row = sample.values.iter().find(|row| row.value.param == param.id)?;
@@ -33,7 +33,7 @@ impl Memory {
         (now && before == Some(false)).then(|| Trip {
             t: sample.t,
             address: sample.address,
-            fault: code.and_then(|code| describe::fault(family, code)),
+            fault: code.and_then(|code| describe::fault(family, code)).or_else(|| told.cloned()),
             before: self.before.clone(),
         })
     }

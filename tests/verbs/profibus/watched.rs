@@ -98,6 +98,11 @@ fn a_trip_is_told_with_what_was_seen_before_it() {
     assert_eq!(trip["before"]["state"]["slug"], "ready-to-switch-on");
     let last = *samples(&records).last().unwrap();
     assert_eq!(last["state"]["slug"], "fault");
+    assert_eq!(trip["fault"], json!(null), "no bit of ZSW names a cause");
+    let (run, records) = watched("--drive l200 monitor --mode basic --interval 100ms --duration 3s", &bench);
+    let trip = records.iter().find(|record| record["type"] == "trip").unwrap();
+    assert_eq!((&trip["fault"]["key"], &trip["fault"]["code"]), (&json!("25h"), &json!(0x25)), "{trip:#}");
+    assert!(run.err.contains("25h external fault"), "{}", run.err);
 }
 
 #[test]
