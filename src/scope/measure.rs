@@ -70,7 +70,10 @@ pub struct Response {
 pub fn responses(setpoint: &Curve, actual: &Curve, (from, to): (f64, f64), band: f64, stops: &[f64]) -> Vec<Response> {
     let known = |curve: &Curve| -> Vec<(f64, f64)> {
         let within = curve.points.iter().filter(|(t, _)| (from..=to).contains(t));
-        within.filter_map(|(t, value)| Some((*t, (*value)?))).collect()
+        let mut known: Vec<_> = within.filter_map(|(t, value)| Some((*t, (*value)?))).collect();
+        // What was not asked anew is told again as of its own time.
+        known.dedup_by(|next, one| next.0 <= one.0);
+        known
     };
     let (setpoint, actual) = (known(setpoint), known(actual));
     let changes = changes(&setpoint);
@@ -85,23 +88,39 @@ struct Change {
     t: f64,
     from: f64,
     to: f64,
+    /// When it was seen to have come to its end.
+    done: f64,
 }
 
-/// The changes: from a value that stood to the next one that stands.
+/// The changes: from a value that stood to the next one that stands. A value that two samples close together tell did not stand.
 fn changes(setpoint: &[(f64, f64)]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
-    let mut moves = false;
+    let close = 1.5 * usual_step(setpoint);
     for pair in setpoint.windows(2) {
-        let [(_, before), (t, now)] = *pair else { continue };
-        match (before != now, changes.last_mut().filter(|_| moves)) {
-            (true, Some(change)) if (now - before).signum() == (change.to - change.from).signum() => change.to = now,
-            (true, _) => changes.push(Change { t, from: before, to: now }),
-            (false, _) => {}
+        let [(before_t, before), (t, now)] = *pair else { continue };
+        if before == now {
+            continue;
         }
-        moves = before != now;
+        let goes_on = |change: &&mut Change| {
+            before_t - change.done <= close && (now - before).signum() == (change.to - change.from).signum()
+        };
+        match changes.last_mut().filter(goes_on) {
+            Some(change) => (change.to, change.done) = (now, t),
+            None => changes.push(Change { t, from: before, to: now, done: t }),
+        }
     }
     changes
 }
+
+/// The time from one sample to the next: that in the middle of all.
+fn usual_step(samples: &[(f64, f64)]) -> f64 {
+    let mut steps: Vec<f64> = samples.windows(2).filter_map(|pair| Some(pair.last()?.0 - pair.first()?.0)).collect();
+    steps.sort_by(f64::total_cmp);
+    steps.get(steps.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Of a way that was cut off so many samples at least make a slope.
+const LEAST: usize = 5;
 
 fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Option<Response> {
     let before = actual.iter().rfind(|(t, _)| *t < change.t);
@@ -121,14 +140,23 @@ fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Op
         dead_time_s: None,
     };
     let near = band * way.abs();
-    // It stays near its end for the last tenth of the time: else it is still on its way.
+    // It stays near its end for the last tenth of the time in which the setpoint stands: else it is still on its way.
     let outside = course.iter().rposition(|(_, value)| (value - end).abs() > near);
     let settled = outside.map_or(course.first(), |last| course.get(last + 1)).map(|(t, _)| *t);
-    let rests = settled.filter(|t| last - t >= 0.1 * (last - change.t) && last > *t);
-    let Some(settled) = rests.filter(|_| way != 0.0) else { return Some(response) };
-    let beyond = course.iter().map(|(_, value)| (value - end) * side).fold(0.0, f64::max);
-    response.overshoot_percent = Some(100.0 * beyond / way.abs());
-    response.settling_s = Some(settled - change.t);
+    let rests = settled.filter(|t| last - t >= 0.1 * (last - change.done) && last > t.max(change.done));
+    let rests = rests.filter(|_| way != 0.0);
+    if let Some(settled) = rests {
+        let beyond = course.iter().map(|(_, value)| (value - end) * side).fold(0.0, f64::max);
+        response.overshoot_percent = Some(100.0 * beyond / way.abs());
+        response.settling_s = Some(settled - change.t);
+    }
+    // Cut off on its way it has the slope of a setpoint that was led, as far as that went.
+    let is_led = change.done > change.t && (change.to - start) * side > 0.0;
+    let way = match rests {
+        Some(_) => way,
+        None if is_led && course.len() >= LEAST => change.to - start,
+        None => return Some(response),
+    };
     // It may have left its beginning before it was seen to.
     let seen: Vec<(f64, f64)> = before.into_iter().chain(&course).copied().collect();
     let passes = |share: f64| crossing(&seen, start + share * way, side);
@@ -226,6 +254,22 @@ mod tests {
         // Cut off on its way it has not settled, and nothing is made up.
         let [cut] = responses(&setpoint, &actual, (0.0, 5.0), 0.02, &[])[..] else { panic!() };
         assert_eq!((cut.overshoot_percent, cut.settling_s, cut.slope), (None, None, None));
+        // A setpoint that is led, seen twice in a moment, up to a stop as it arrives: one way, and its slope.
+        let led = |t: f64| (10.0 * (t - 2.0)).clamp(0.0, 25.0);
+        let asked = || times().chain([3.01]).map(|t| (t, Some(led(if t > 3.0 && t < 3.04 { 3.0 } else { t }))));
+        let mut asked: Vec<_> = asked().collect();
+        asked.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lagging = |t: f64| led(t - 0.02);
+        let told = responses(
+            &curve(Part::Setpoint, asked.into_iter()),
+            &curve(Part::Actual, times().map(|t| (t, Some(lagging(t))))),
+            (0.0, 20.0),
+            0.02,
+            &[4.48],
+        );
+        let [cut] = told[..] else { panic!("{told:?}") };
+        assert_eq!((cut.overshoot_percent, cut.settling_s), (None, None));
+        near(cut.slope.unwrap(), 10.0, 0.1);
         // A stop that the record tells ends it, and what comes behind it counts for nothing.
         let [held] = responses(
             &curve(Part::Setpoint, times().map(|t| (t, Some(if t < 2.0 { 0.0 } else { 25.0 })))),

@@ -115,6 +115,55 @@ fn a_run_that_recorded_itself_is_measured_until_its_stop() {
     assert_eq!((tripped.data("/marks/0/kind"), tripped.data("/marks/0/t")), (&json!("fault"), &json!(2.0)));
 }
 
+/// A ramp that the run leads itself, stopped as it arrives, or held for a while: one way, with the slope that was asked for.
+#[test]
+fn a_led_ramp_is_measured_as_one_way_however_soon_the_stop_comes() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 2\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n";
+    for (ramp, slope, duration, rests) in [
+        ("0Hz:20Hz:4s", 5.0, "200ms", false),
+        ("0Hz:20Hz:4s", 5.0, "1s", true),
+        ("0Hz:20Hz:10s", 2.0, "200ms", false),
+        ("0Hz:20Hz:10s", 2.0, "3s", true),
+    ] {
+        let line = format!("-a 2 sollwert --ramp {ramp} --enable --hold --duration {duration} --yes --format ndjson");
+        let run = antrieb(&line).on(bench).exits(0);
+        let plot = antrieb("plot {dir}/run.ndjson --measure").file("run.ndjson", &run.out).json().exits(0);
+        let [told] = &plot.data("/responses").as_array().unwrap()[..] else { panic!("{line}: {:#}", plot.value) };
+        let measured = told["slope"].as_f64().unwrap_or_else(|| panic!("{line}: {told:#}"));
+        assert!((measured - slope).abs() < 0.1 && told["dead_time_s"].is_f64(), "{line}: {told:#}");
+        assert_eq!(told["settling_s"].is_f64(), rests, "{line}: {told:#}");
+    }
+}
+
+/// A fault in a held run: a record of its own before the sample that shows it, with what was seen last, and a mark.
+#[test]
+fn a_trip_in_a_held_run_is_a_record_and_a_mark() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 2\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n\
+        [[drive.event]]\nat = \"3s\"\nfault = \"F0500\"\n";
+    let line = "-a 2 sollwert 15Hz --enable --hold --duration 6s --yes --format ndjson";
+    let run = antrieb(line).on(bench).exits(8);
+    let records: Vec<Value> = run.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let trips: Vec<usize> = (0..records.len()).filter(|&index| records[index]["type"] == "trip").collect();
+    let [at] = trips[..] else { panic!("{}", run.out) };
+    let trip = &records[at];
+    assert_eq!(
+        (&trip["fault"]["key"], &trip["before"]["state"]["slug"]),
+        (&json!("F0500"), &json!("operation-enabled"))
+    );
+    let seen = trip["before"]["values"].as_array().unwrap();
+    assert!(
+        seen.iter().any(|row| row["slug"] == "ramp-reference-frequency" && row["value"].as_f64() > Some(5.0)),
+        "{trip:#}"
+    );
+    let state = |record: &Value| record["state"]["slug"].as_str().map(|state| state == "fault");
+    assert!(records[..at].iter().all(|record| state(record) != Some(true)), "{}", run.out);
+    assert_eq!(records[at + 1..].iter().find_map(state), Some(true), "{}", run.out);
+    let plot = antrieb("plot {dir}/run.ndjson").file("run.ndjson", &run.out).json().exits(0);
+    let marks = plot.data("/marks").as_array().unwrap();
+    let faults: Vec<_> = marks.iter().filter(|mark| mark["kind"] == "fault").collect();
+    assert!(faults.len() == 1 && faults[0]["text"].as_str().unwrap().starts_with("F0500 "), "{marks:#?}");
+}
+
 #[test]
 fn what_is_no_record_or_no_column_is_refused() {
     let plot = |text: &str, options: &str| antrieb(&format!("plot {{dir}}/x {options}")).file("x", text).run();

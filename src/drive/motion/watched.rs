@@ -8,6 +8,7 @@ use crate::drive::describe;
 use crate::drive::interrupt::Interrupt;
 use crate::drive::panel::Panel;
 use crate::drive::transfer::Reading;
+use crate::drive::watch::Memory;
 use crate::drive::{AccessError, Item, Session, Target};
 use crate::exchange::INSIST;
 use crate::failure::{Class, Failure};
@@ -61,6 +62,10 @@ pub struct Watched {
     told: Option<Tick>,
     /// What the drive said of its state, and when.
     status: Option<(u32, Tick)>,
+    /// What was seen of it before a fault.
+    memory: Memory,
+    /// A fault whose code was not known yet was not told: it is with the next look, whether that tells it or not.
+    held_back: bool,
     /// The last question brought no answer: what was seen before it is not shown as if it were of now.
     silent: bool,
     news: RunNews,
@@ -134,6 +139,8 @@ impl Watched {
             samples: 0,
             told: None,
             status: None,
+            memory: Memory::default(),
+            held_back: false,
             silent: false,
             news,
             said: None,
@@ -185,6 +192,16 @@ impl Watched {
             word.bits.iter_mut().for_each(|bit| bit.help = None);
         }
         row.value = Some(SampleValue { t, value });
+    }
+
+    /// Whether this is the first look at a fault of which the drive will tell the code in a moment.
+    fn waits_for_code(&mut self, state: &State, values: &[SampleValue]) -> bool {
+        let is_code = |row: &Row| row.column.role == Some("fault") && !row.refused;
+        let Some(code) = self.rows.iter().find(|row| is_code(row)).map(|row| row.param.id) else { return false };
+        let is_told = values.iter().any(|row| row.value.param == code && row.value.raw.is_some_and(|raw| raw != 0));
+        let waits = state.slug.starts_with("fault") && !is_told && !self.held_back;
+        self.held_back = waits || (self.held_back && state.slug.starts_with("fault"));
+        waits
     }
 
     /// The next value that is asked for, if there is time for it until then.
@@ -261,8 +278,11 @@ impl Motor<'_, '_> {
         let Some((status, at)) = shown.status.filter(|_| !shown.silent) else { return };
         let oldest = seconds(now.since(shown.begun + STALE)).raw;
         let is_fresh = |value: &SampleValue| value.t.raw >= oldest;
-        let values = shown.rows.iter().filter_map(|row| row.value.clone().filter(is_fresh)).collect();
+        let values: Vec<_> = shown.rows.iter().filter_map(|row| row.value.clone().filter(is_fresh)).collect();
         let state: State = describe::state(&self.target.family, status);
+        if shown.waits_for_code(&state, &values) {
+            return;
+        }
         self.samples((now.since(at) < STALE).then_some(state), values, None);
     }
 
@@ -276,8 +296,8 @@ impl Motor<'_, '_> {
 
     fn samples(&mut self, state: Option<State>, values: Vec<SampleValue>, error: Option<ErrorDoc>) {
         let now = self.session.now();
-        let Some(shown) =
-            self.watched.as_mut().filter(|shown| shown.told.is_none_or(|told| now.since(told) >= SOONEST))
+        let is_due = |shown: &Watched| shown.told.is_none_or(|told| now.since(told) >= SOONEST);
+        let Some(shown) = self.watched.as_mut().filter(|shown| is_due(shown) || shown.memory.is_new(state.as_ref()))
         else {
             return;
         };
@@ -294,6 +314,9 @@ impl Motor<'_, '_> {
             line: None,
         };
         (shown.told, shown.samples) = (Some(now), shown.samples + 1);
+        if let Some(trip) = shown.memory.take(&sample, &self.target.family, None) {
+            self.session.tell(Event::Record(Box::new(Record::Trip(Box::new(trip)))));
+        }
         self.session.tell(Event::Record(Box::new(Record::Sample(sample))));
     }
 

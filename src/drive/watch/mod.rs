@@ -18,6 +18,7 @@ pub use rounds::{Calls, Rounds, When};
 pub(in crate::drive) use source::Source;
 pub(in crate::drive) use station::{Haul, Station, terse};
 pub use trigger::{Compare, Condition, Signal, Test};
+pub(super) use trip::Memory;
 
 use super::{Session, Terms, is_over, summary};
 use crate::exchange::Tally;

@@ -1,14 +1,14 @@
 //! What was seen of a drive last before a fault.
 
 use crate::drive::describe;
-use crate::outcome::{Before, Fault, Sample, Trip, Value};
+use crate::outcome::{Before, Fault, Sample, State, Trip, Value};
 use crate::profile::Family;
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
 
 /// What was seen of a drive so far.
 #[derive(Debug, Default)]
-pub(super) struct Memory {
+pub(in crate::drive) struct Memory {
     before: Before,
     /// Whether a fault was present at the last look.
     faulty: Option<bool>,
@@ -17,7 +17,7 @@ pub(super) struct Memory {
 impl Memory {
     /// Takes a sample; what is to be told if the drive went into a fault with it. A fault that was there at the first look came
     /// before anybody looked. `told` is what ails it, where no value tells that.
-    pub(super) fn take(&mut self, sample: &Sample, family: &Family, told: Option<&Fault>) -> Option<Trip> {
+    pub(in crate::drive) fn take(&mut self, sample: &Sample, family: &Family, told: Option<&Fault>) -> Option<Trip> {
         let word = sample.values.iter().find_map(|row| row.value.word.as_ref().filter(|word| word.state.is_some()));
         let fault = family.role("fault").and_then(|param| {
             let row = sample.values.iter().find(|row| row.value.param == param.id)?;
@@ -36,6 +36,11 @@ impl Memory {
             fault: code.and_then(|code| describe::fault(family, code)).or_else(|| told.cloned()),
             before: self.before.clone(),
         })
+    }
+
+    /// Whether this state is that of a fault which was not there before.
+    pub(in crate::drive) fn is_new(&self, state: Option<&State>) -> bool {
+        self.faulty == Some(false) && state.is_some_and(|state| state.slug.starts_with("fault"))
     }
 
     /// Of each value the last one that could be read.
