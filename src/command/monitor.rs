@@ -277,6 +277,9 @@ impl Wanted {
                 items.push(item);
             }
         }
+        if items.is_empty() {
+            return Err(nothing_usual(family));
+        }
         Ok(Chosen { items, waited_for })
     }
 }
@@ -294,24 +297,39 @@ fn named(param: Param) -> Item {
     Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true, lenient: true })
 }
 
-/// What a drive does, in the order in which one of it is taken.
-const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed"];
+/// What a drive does, in the order in which one of it is taken: of a servo no source tells the address of its speed.
+const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed", "position"];
+
+/// What it shall do.
+const SETPOINTS: &[&str] = &["setpoint-ramp", "setpoint-bus"];
 
 /// Roles of the default view; of several actual values one will do, and only if its decimals are known.
-const DEFAULT: [&[&str]; 7] = [
-    &["status-word"],
-    &["setpoint-ramp", "setpoint-bus"],
-    ACTUAL,
-    &["current"],
-    &["dc-link-voltage"],
-    &["fault"],
-    &["warnings"],
-];
+const DEFAULT: [&[&str]; 7] =
+    [&["status-word"], SETPOINTS, ACTUAL, &["current"], &["dc-link-voltage"], &["fault"], &["warnings"]];
 
 /// What is shown of a drive where nobody names anything.
 pub(super) fn usual(family: &Family) -> Vec<Item> {
-    let usual = DEFAULT.iter().filter_map(|roles| one_of(roles, family));
-    usual.filter(|param| !moves_on(family, param)).map(named).collect()
+    let mut usual: Vec<Param> = DEFAULT.iter().filter_map(|roles| one_of(roles, family)).collect();
+    // A catalogue of one's own may name them in a group instead.
+    let actual = Selector::group("actual").resolve(family).unwrap_or_default();
+    let is_told = ACTUAL.iter().any(|role| family.role(role).is_some());
+    for Selection { param, .. } in actual.into_iter().filter(|_| !is_told) {
+        if usual.iter().all(|known| known.id != param.id) {
+            usual.push(param);
+        }
+    }
+    usual.into_iter().filter(|param| !moves_on(family, param)).map(named).collect()
+}
+
+/// The same for a run: with the parameter that takes its setpoint, where a drive tells no other one.
+pub(super) fn usual_of_run(family: &Family, setpoint: Option<&Param>) -> Vec<Item> {
+    let mut items = usual(family);
+    let is_setpoint = |role: &&str| family.role(role).is_some();
+    if let Some(setpoint) = setpoint.filter(|_| !SETPOINTS.iter().any(is_setpoint)) {
+        let place = items.len().min(1);
+        items.insert(place, named(setpoint.clone()));
+    }
+    items
 }
 
 /// The first parameter with one of these roles; rather one of which a source tells the decimals.
@@ -338,6 +356,17 @@ fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> 
         }
     }
     Ok(items)
+}
+
+/// Nobody knows which of the parameters of a family of one's own are its actual values.
+fn nothing_usual(family: &Family) -> Failure {
+    let drive = &family.drive;
+    let message = both!(
+        "the catalogue of '{drive}' does not say what its actual values are: name the parameters to be watched",
+        "der Katalog von '{drive}' sagt nicht, was die Istwerte sind: zu beobachtende Parameter nennen"
+    );
+    Failure::new(Class::Usage, "usage.params", message)
+        .hint(both!("`antrieb params` lists them", "`antrieb params` listet sie auf"))
 }
 
 /// Whether reading a parameter again and again may change what it shows: an entry of the fault memory, of which the next

@@ -63,6 +63,8 @@ pub(super) struct Plan<'p> {
     pub(super) said: bool,
     /// What the arrows of the keypad do.
     pub(super) keys: Option<RunKeys>,
+    /// What takes the setpoint.
+    pub(super) setpoint: Option<Param>,
 }
 
 impl<'p> Plan<'p> {
@@ -83,6 +85,7 @@ impl<'p> Plan<'p> {
             zero,
             said: false,
             keys: None,
+            setpoint: None,
         }
     }
 

@@ -12,6 +12,7 @@ mod mode;
 mod phrase;
 mod read;
 mod run;
+mod showing;
 mod shown;
 mod state;
 mod still;
@@ -30,7 +31,7 @@ pub use looked::{LOOKED_AT, fault, leds};
 pub use mode::{Mode, Ramps, Seen, basic_block};
 pub use read::Haul;
 pub use run::{Bounds, Lending, Rights, Run};
-pub use shown::Shown;
+
 pub use state::of as state;
 pub use trouble::NOT_STILL;
 pub use trouble::motion::coasting;

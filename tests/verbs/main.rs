@@ -16,6 +16,7 @@ mod judge;
 mod lexium;
 mod matrix;
 mod monitor;
+mod pictures;
 mod plotting;
 mod process_data;
 mod profibus;

@@ -106,13 +106,14 @@ impl Item {
 }
 
 /// What every family has, in the order of the default view.
-const ROLES: [&str; 11] = [
+const ROLES: [&str; 12] = [
     "status-word",
     "setpoint-ramp",
     "actual-frequency",
     "stator-frequency",
     "encoder-frequency",
     "actual-speed",
+    "position",
     "current",
     "dc-link-voltage",
     "fault",
