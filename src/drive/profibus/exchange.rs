@@ -8,7 +8,7 @@ use super::line::Line;
 use super::mode::{Mode, Seen, Words};
 use super::still::Still;
 use super::trouble;
-use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble};
+use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble, Unanswered};
 use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
 use crate::outcome::Event;
@@ -171,6 +171,10 @@ impl<'l, 'a> Exchange<'l, 'a> {
         match &cycle {
             Cycle::Left => {
                 self.left += 1;
+                // Led to its exchange anew, it finds no start word there.
+                if !self.still.coasts {
+                    self.words = self.mode.stop();
+                }
                 if self.left > MOST_LEFT {
                     return Err(self.failure(&Trouble::NotReady));
                 }
@@ -223,6 +227,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
                     let said = self.mode.inputs(&data);
                     said.and_then(|(said, _)| request.inputs(self.line.now(), said))
                 }
+                // A motor that was started stands, or does what its loss of us has it do: that ends its run.
+                Cycle::Left if self.started && !self.insists => return Err(trouble::left(self.address)),
                 // What was on its way may have come; it is not said twice.
                 Cycle::Left if request.writes() => Some(Told::Silence),
                 _ => None,
@@ -286,6 +292,9 @@ impl<'l, 'a> Exchange<'l, 'a> {
 
     fn failure(&self, why: &Trouble) -> Failure {
         match why {
+            Trouble::Unanswered(Unanswered::OtherMaster(master)) if self.ours => {
+                trouble::other_master_beside(*master).with("address", self.address)
+            }
             Trouble::Unanswered(why) => trouble::unanswered(self.address, why),
             other => trouble::not_exchanging(self.address, other, self.mode),
         }
