@@ -513,7 +513,7 @@ mod tests {
                     Step::Done(done) => return (done, now),
                     Step::Wait(_) => fdl.feed(now, &token),
                 }
-                now = now + Span::from_millis(2);
+                now += Span::from_millis(2);
             }
             panic!("no end");
         };
