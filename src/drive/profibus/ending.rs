@@ -160,7 +160,12 @@ impl Exchange<'_, '_> {
 
     /// Changes a parameter for the time of the exchange.
     pub(super) async fn lend(&mut self, index: u16, new: u16) -> Result<(), Failure> {
-        let place = Place { pnu: index, element: None };
+        self.lend_place(Place { pnu: index, element: None }, new).await
+    }
+
+    /// The same of an element.
+    pub(super) async fn lend_place(&mut self, place: Place, new: u16) -> Result<(), Failure> {
+        let index = place.pnu;
         let old = self.read(place).await??;
         let old = u16::try_from(old & 0xFFFF).unwrap_or_default();
         if old == new {
@@ -168,7 +173,7 @@ impl Exchange<'_, '_> {
         }
         // From here on it is to be given back, whatever becomes of it.
         let stays = index == RIGHT && !self.still.is_dark(self.line.now());
-        self.lent.push(Lent { index, old, new, restored: false, stays });
+        self.lent.push(Lent { place, old, new, restored: false, stays });
         self.set(place, new).await?;
         if index == LOST {
             self.behind = Some(new.into());
@@ -179,14 +184,13 @@ impl Exchange<'_, '_> {
     /// Gives back what was lent, the last of it first.
     async fn give_back(&mut self) -> Result<(), Failure> {
         for at in (0..self.lent.len()).rev() {
-            let Some(&Lent { index, old, new, stays, .. }) = self.lent.get(at) else { continue };
+            let Some(&Lent { place, old, new, stays, .. }) = self.lent.get(at) else { continue };
             if stays {
                 self.notes.push(trouble::right_stays());
                 continue;
             }
-            let place = Place { pnu: index, element: None };
             self.set(place, old).await?;
-            let starts = index == RIGHT && self.starts_by_itself().await?;
+            let starts = place.pnu == RIGHT && self.starts_by_itself().await?;
             if starts {
                 self.notes.push(trouble::right_again());
                 self.set(place, new).await?;
@@ -231,8 +235,8 @@ fn is_turning(done: &Result<(), Failure>) -> bool {
 
 fn changed(lent: &Lent) -> Change {
     Change {
-        param: lent.index.into(),
-        name: format!("P.{}", lent.index),
+        param: lent.place.pnu.into(),
+        name: trouble::label(lent.place),
         data_set: 0,
         old: lent.old.into(),
         new: lent.new.into(),
