@@ -290,8 +290,11 @@ fn known_somewhere(settings: &Settings, registry: &Registry, selectors: &[Select
     if settings.drive.is_some() || selectors.len() < 2 {
         return Ok(());
     }
+    if registry.families().any(|family| selectors.iter().all(|selector| selector.resolve(&family).is_ok())) {
+        return Ok(());
+    }
     let usual = offline_family(settings, registry)?;
-    let families = registry.families();
+    let families: Vec<_> = registry.families().collect();
     let knowing = |selector: &Selector| {
         let known = families.iter().filter(|family| selector.resolve(family).is_ok());
         known.map(|family| family.drive.as_str()).collect::<Vec<_>>()
@@ -301,9 +304,6 @@ fn known_somewhere(settings: &Settings, registry: &Registry, selectors: &[Select
         if let (true, Err(error)) = (known.is_empty(), selector.resolve(&usual)) {
             return Err(read::select_failure(&error));
         }
-    }
-    if families.iter().any(|family| known.iter().all(|known| known.contains(&family.drive.as_str()))) {
-        return Ok(());
     }
     let whose = selectors.iter().zip(&known).map(|(selector, known)| format!("{selector} ({})", known.join(", ")));
     let whose = whose.collect::<Vec<_>>().join(", ");

@@ -261,7 +261,7 @@ mod tests {
     /// Readers of everything that we know a catalogue of.
     fn each_reader(mut work: impl FnMut(Reader<'_>)) {
         thread_local! {
-            static FAMILIES: Vec<std::rc::Rc<Family>> = Registry::open(&[]).unwrap().families();
+            static FAMILIES: Vec<std::rc::Rc<Family>> = Registry::open(&[]).unwrap().families().collect();
         }
         for family in FAMILIES.with(Clone::clone) {
             for order in [WordOrder::HighFirst, WordOrder::LowFirst] {

@@ -202,7 +202,7 @@ impl<'q, 's> Inquest<'q, 's> {
     /// What a product code begins with is printed nowhere for some families. A device that describes itself is still known
     /// by the parameter that holds its address, where the family of the unknown product keeps one.
     async fn knows_its_address(&mut self) -> Result<(), AccessError> {
-        for family in self.registry.families().into_iter().filter(|family| family.link.product.is_some()) {
+        for family in self.registry.families().filter(|family| family.link.product.is_some()) {
             let Some(param) = family.role(Role::Address) else { continue };
             let route = Route::new(self.route.protocol, &family.link, self.route.address);
             let cell = Cell { number: param.id, set: 0 };
