@@ -296,7 +296,7 @@ impl<'r> Ear<'r> {
             at.since(then) <= self.patience && (address, function) == (doc.address, doc.function)
         };
         // Where request and reply look alike, the first is the request; but of the very first nobody knows.
-        if doc.check_ok && doc.direction.is_none() && self.is_in {
+        if doc.check_ok && doc.direction.is_none() && self.is_in && self.profibus.is_none() {
             doc = self.reader.telegram(bytes, Some(!self.asked.is_some_and(same)));
         }
         doc.at_us = Some(at.as_micros());

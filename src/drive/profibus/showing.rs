@@ -32,8 +32,8 @@ impl Exchange<'_, '_> {
         // A percent of A004 is one of 4000h, and Basic mode tells 0.01 Hz.
         let maximum = match (wanted, self.mode()) {
             (_, Mode::Basic(_)) => Some(FULL),
-            (Wanted::Percent(_), Mode::Profidrive) => Some(10_000),
-            (Wanted::Hertz(_), Mode::Profidrive) => None,
+            (Wanted::Percent(_), Mode::Profidrive(_)) => Some(10_000),
+            (Wanted::Hertz(_), Mode::Profidrive(_)) => None,
         };
         let is_basic = self.mode().is_basic();
         let shown = Shown::new(family.clone(), is_basic, maximum, (self.line.now(), news.clone()));
