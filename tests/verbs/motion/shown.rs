@@ -222,8 +222,9 @@ fn the_setpoint_and_the_position_of_a_servo_are_columns() {
     for (line, setpoint) in [(line, 6_938), ("sollwert 16384 --mode position --start absolute --enable --hold", 6_940)]
     {
         let seen = run((model, keys, line), "--view --duration 2s", &mut |_, _, _| {});
-        assert_eq!(seen.columns, [6_916, setpoint, 7_700], "{line} {:?}", seen.failure);
-        let last = seen.samples.iter().rfind(|sample| sample.values.len() == 3).unwrap();
+        let shown = [6_916, setpoint, 7_700].iter().all(|param| seen.columns.contains(param));
+        assert!(shown, "{line} {:?} {:?}", seen.columns, seen.failure);
+        let last = seen.samples.iter().rfind(|sample| sample.values.len() == seen.columns.len()).unwrap();
         let raw = |param| last.values.iter().find(|value| value.value.param == param).and_then(|value| value.value.raw);
         assert!(raw(7_700).is_some_and(|position| position > 0), "{line}: {:?}", raw(7_700));
         assert!(raw(setpoint).is_some(), "{line}");
@@ -250,8 +251,8 @@ fn a_port_that_is_lost_is_a_gap_at_once() {
 #[test]
 fn pictures_of_a_run_are_those_of_the_bench() {
     let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
-        300 => hand.button(Button::Stop, at),
-        telegram if telegram > 600 => hand.button(Button::End, at),
+        1_000 => hand.button(Button::Stop, at),
+        telegram if telegram > 2_000 => hand.button(Button::End, at),
         _ => {}
     });
     let moments = [
