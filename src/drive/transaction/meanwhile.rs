@@ -100,11 +100,13 @@ async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>)
 
 /// What stands at a place or behind it in the RAM, if that is not what was planned with, or why it is not told.
 fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &Now) -> Option<Failure> {
-    let told = |set: u8| now.get(&set).and_then(|told| told.as_ref().ok()).copied();
+    // Four that differed may be told as one by now.
+    let found = |set: u8| now.get(&set).or_else(|| now.get(&(set - set % DataSets::RAM_OFFSET)));
+    let told = |set: u8| found(set).and_then(|told| told.as_ref().ok()).copied();
     let stored = row.old_raw.map(|raw| (step.set, raw));
     let planned = stored.into_iter().chain(behind.iter().map(|kept| (kept.set, kept.raw)));
     let (set, then) = planned.into_iter().find(|(set, raw)| told(*set) != Some(*raw))?;
-    let failure = match now.get(&set) {
+    let failure = match found(set) {
         Some(Err(refused)) => refused.clone(),
         _ => not_as_planned(step, (set, then), told),
     };

@@ -18,15 +18,18 @@ fn load(protocol: &str, values: &str, more: &str) -> Run {
     antrieb(&line).on(&bench).file("f.toml", &file(values))
 }
 
+/// What stands in EEPROM and RAM.
+type Cell = (Option<i64>, Option<i64>);
+
 /// EEPROM and RAM of a cell of the only drive, and the cells of its EEPROM that were written.
-fn left<const N: usize>(places: [(u32, u8); N]) -> ([(Option<i64>, Option<i64>); N], u64) {
+fn left<const N: usize>(places: [(u32, u8); N]) -> ([Cell; N], u64) {
     let (bench, _) = witness::left().unwrap();
     let drive = bench.drives().next().unwrap();
     let cells = places.map(|(number, set)| (drive.eeprom(number, set), drive.ram(number, set)));
     (cells, bench.totals().eeprom_writes)
 }
 
-fn both(raw: i64) -> (Option<i64>, Option<i64>) {
+fn both(raw: i64) -> Cell {
     (Some(raw), Some(raw))
 }
 
