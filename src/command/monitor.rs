@@ -10,6 +10,7 @@ mod trigger;
 
 pub use record::recording;
 
+use super::lines::OverLines;
 use super::output::of_file;
 use super::profibus::{ModeArg, SlaveArgs};
 use super::verb::{Flow, Verb, Working};
@@ -143,6 +144,13 @@ impl Verb for Args {
         "It goes on until Ctrl-C, which is its normal end, --duration, --count or the end of stdin (--gather).",
     );
     type Prints = Record;
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::One(Some(both!(
+            "a watch is of one line: one for each, with its port behind -p, such as in terminals side by side",
+            "beobachtet wird eine Leitung: ein Aufruf für jede, mit ihrem Anschluss hinter -p, etwa in mehreren Terminals"
+        )))
+    }
 
     fn streams(&self) -> Option<Flow> {
         let (textfile, record) = (self.textfile.clone(), self.record.clone());

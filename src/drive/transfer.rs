@@ -192,11 +192,13 @@ impl Target {
         }
     }
 
-    /// Remembers the width that turned out to be the right one.
+    /// Remembers the width that turned out to be the right one, also where a file or an option says another.
     fn found(&mut self, param: &Param, reading: Reading) -> Reading {
-        let corrected = param.kind.is_some_and(|stated| stated.bits() != reading.kind.bits());
-        if param.kind.is_none() || corrected {
-            self.widths.insert(param.id, reading.kind);
+        let usual = param.kind.filter(|stated| stated.bits() == reading.kind.bits());
+        let corrected = param.kind.is_some() && usual.is_none();
+        let is_other = |known: &Type| known.bits() != reading.kind.bits();
+        if usual.is_none() || self.widths.get(&param.id).is_some_and(is_other) {
+            self.widths.insert(param.id, usual.unwrap_or(reading.kind));
         }
         Reading { corrected, ..reading }
     }

@@ -317,6 +317,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("stored only", "nur gespeichert"),
     ("stored, not all in force", "gespeichert, nicht alles wirkt"),
     ("as before, proven", "wie vorher, geprüft"),
+    ("what was written is as before, proven", "was geschrieben wurde, ist wie vorher, geprüft"),
     ("NOT as before", "NICHT wie vorher"),
     ("left out until named", "ausgelassen bis genannt"),
     ("left out, only told", "ausgelassen, nur lesbar"),

@@ -14,6 +14,7 @@ mod german;
 mod guided;
 mod judge;
 mod lexium;
+mod loads_over_sdo;
 mod matrix;
 mod monitor;
 mod plotting;
@@ -32,6 +33,7 @@ mod parameters {
     mod at_every_telegram;
     mod comparing;
     mod ends;
+    mod equal;
     mod groups;
     mod interrupted;
     mod loading;

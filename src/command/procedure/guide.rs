@@ -5,7 +5,7 @@ use super::record;
 use crate::args::Settings;
 use crate::command::{asking, terms};
 use crate::drive::job::{self, Job};
-use crate::drive::{Interrupt, Session, Target};
+use crate::drive::{Interrupt, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Answer, Ask, Denied, Permit, Question, Writing};
 use crate::outcome::{
@@ -14,7 +14,6 @@ use crate::outcome::{
 };
 use crate::profile::Registry;
 use crate::profile::procedure::{Act, Procedure, Step};
-use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
 use futures_util::future::LocalBoxFuture;
 use std::path::{Path, PathBuf};
@@ -369,9 +368,8 @@ pub(super) fn describes(procedure: &Procedure, drive: &str) -> Result<(), Failur
 
 /// What became of a value.
 fn written(row: &Written) -> Text {
-    let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
-    let new = format_decimal(row.value.raw, row.value.decimals);
-    let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
+    let (old, new, unit) = describe::change(row);
+    let old = old.unwrap_or_else(|| "?".to_owned());
     let fate = match row.result {
         WriteResult::Unchanged => both!("was so before", "war schon so"),
         WriteResult::Verified => both!("written, read back", "geschrieben, zurückgelesen"),
@@ -383,6 +381,7 @@ fn written(row: &Written) -> Text {
         "P.{param}@{set} {name}: {old} -> {new}{unit}, {fate}",
         "P.{param}@{set} {name}: {old} -> {new}{unit}, {fate}",
         name,
+        unit,
         fate
     )
 }
