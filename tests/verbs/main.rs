@@ -90,6 +90,7 @@ mod motion {
     mod leftovers;
     mod moments;
     mod narrow;
+    mod others;
     mod otherwise;
     mod pressed;
     mod proofs;

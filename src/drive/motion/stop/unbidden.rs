@@ -1,10 +1,11 @@
-//! Stops that came about in another way than they were given: the drive lost its power, or its mode, meanwhile, or sooner than its
-//! shaft was seen to stand.
+//! Stops that came about in another way than they were given: the drive lost its power, its mode or its setpoint meanwhile, or its power
+//! sooner than its shaft was seen to stand.
 
 use super::super::Motor;
+use super::super::look::raw;
 use super::super::own::shown;
 use crate::outcome::State;
-use crate::profile::StopRow;
+use crate::profile::{Mode, StopRow};
 use crate::text::{Text, both};
 
 /// States from which a drive comes up again: no ramp ends there.
@@ -25,6 +26,26 @@ impl Motor<'_, '_> {
             "der Antrieb hatte seine Betriebsart verloren ({label} = {told}), wie nach einem Neustart: gesendet wurde ein \
              Schnellhalt statt der Rampe, und die Welle lief vorher vielleicht aus"
         ))
+    }
+
+    /// That the setpoint of the mode that the drive shows does not count, because it takes another one from elsewhere: a 0 would stop
+    /// nothing. Asked once; what is not told keeps no stop back, and a source of 0 is none.
+    pub(super) async fn follows_another(&mut self, mode: &Mode) -> Option<Text> {
+        let family = self.target.family.clone();
+        for preset in &mode.engage {
+            let param = family.param_or_unknown(preset.param);
+            let retries = self.session.set_retries(0);
+            let told = raw(self.session, self.target, &param, 0).await;
+            self.session.set_retries(retries);
+            if let Some(now) = told.ok().flatten().filter(|&now| now != preset.value && now != 0) {
+                return Some(both!(
+                    "{label} is {now}, so that a setpoint of 0 stops nothing: a quick stop was sent in place of the ramp",
+                    "{label} ist {now}, ein Sollwert 0 hält also nichts an: gesendet wurde ein Schnellhalt statt der Rampe",
+                    label = param.label()
+                ));
+            }
+        }
+        None
     }
 
     /// A ramp that ends in a state out of which a drive comes up again was ended by its power.
