@@ -349,7 +349,9 @@ impl Master {
         self.tally.repeats += u64::from(job.asked > 1 && !fence);
         self.tally.fences += u64::from(fence);
         let silence = self.dialect.silence(self.line);
-        let timeout = if job.patient { LATEST_OF_ALL } else { job.limits.reply_timeout };
+        let is_patient = job.limits.insist.is_none() && !job.limits.gives_way;
+        let late = if is_patient { self.heard.patience(job.station) } else { Span::ZERO };
+        let timeout = if job.patient { LATEST_OF_ALL } else { job.limits.reply_timeout + late };
         job.phase = if job.station == BROADCAST {
             Phase::Turnaround(sent_end + job.limits.turnaround.longer(silence))
         } else {

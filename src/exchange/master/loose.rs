@@ -106,6 +106,9 @@ impl Master {
         }
         let Some(said) = said else { return };
         if let Some(question) = answered {
+            if let Some(missed) = self.debts.missed(station, question) {
+                self.heard.sees_late(station, at.since(missed));
+            }
             self.late = Some((station, question.clone(), said.clone()));
         }
         // One answer was doubted, and this is another one to the same question.
