@@ -250,7 +250,8 @@ impl<'a> Session<'a> {
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             self.heeds(matches!(outcome, Ok(Ok(_))));
-            if matches!(outcome, Ok(Err(ExchangeError::TwoAnswers { .. }))) {
+            let two = self.line.borrow().master.were_two(station);
+            if two || matches!(outcome, Ok(Err(ExchangeError::TwoAnswers { .. }))) {
                 self.twins.insert(station);
             }
             match outcome {

@@ -176,6 +176,12 @@ impl Master {
         self.twins.is_marked(station)
     }
 
+    /// Whether so much speaks for two drives with one address that it was taken for them. Where nothing may wait for a second answer, this is
+    /// how one shows itself.
+    pub fn were_two(&self, station: u8) -> bool {
+        self.twins.were_two(station)
+    }
+
     /// The telegrams since the last call.
     pub fn take_records(&mut self) -> Vec<Record> {
         std::mem::take(&mut self.records)

@@ -125,6 +125,11 @@ impl Twins {
         self.by_station.get(&station).is_some_and(|standing| standing.marks > 0)
     }
 
+    /// Whether it was two drives, and nothing was asked since that would tell otherwise.
+    pub(super) fn were_two(&self, station: u8) -> bool {
+        self.by_station.get(&station).is_some_and(|standing| standing.two.is_some())
+    }
+
     /// Whether it is two drives.
     pub(super) fn are_two(&mut self, station: u8, now: Tick) -> bool {
         let Some(standing) = self.by_station.get_mut(&station) else { return false };
@@ -163,6 +168,7 @@ mod tests {
         assert_eq!(seen(&mut twins, at(0)), [false; 4]);
         twins.counts(2, true);
         assert!(!twins.are_likely(2), "of whom nobody suspects it nothing is counted");
+        assert!(!twins.were_two(AT) && !twins.were_two(2));
     }
 
     #[test]
@@ -192,6 +198,7 @@ mod tests {
         }
         twins.marks(AT, at(2));
         assert_eq!(seen(&mut twins, at(2)), [true; 4], "a mark begins the count anew");
+        assert!(twins.were_two(AT));
     }
 
     #[test]
