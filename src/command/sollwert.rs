@@ -282,6 +282,9 @@ impl Giving<'_> {
             None if zero::is_aim(args, &wanted) => zero::relief(session, target, before, &wanted).await?,
             relief => relief,
         };
+        if !self.bare && zero::is_aim(args, &wanted) {
+            zero::demand_its_own(session, target, &wanted.mode).await?;
+        }
         tells_more(session, target, plan, &wanted).await?;
         let waits = args.until.is_some() && motion.duration.is_some();
         plan.details.extend(waits.then(begins_later));

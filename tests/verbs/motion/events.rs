@@ -38,7 +38,7 @@ fn running(mode: i32, settings: &str, rest: &str) -> String {
     let events =
         steps.iter().zip(1..).map(|(set, at)| format!("[[drive.event]]\nat = \"{at}00ms\"\nset = {{ {set} }}\n"));
     let keys = "IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000";
-    servo(keys, &format!("servo = {{ guide = 163840 }}\n{}{rest}", events.collect::<String>()))
+    servo(keys, &format!("servo = {{ guide = 163840, analog = 900 }}\n{}{rest}", events.collect::<String>()))
 }
 
 #[test]
@@ -249,8 +249,13 @@ fn a_setpoint_that_only_the_wide_band_of_the_drive_lets_through_is_not_reached()
 
 #[test]
 fn a_zero_that_stops_nothing_in_this_mode_says_that_the_shaft_turns() {
-    for (mode, settings) in [(-2, "GEARreference = 1"), (-3, "CURreference = 2, CUR_I_target = 3")] {
-        let run = later("-a 1 sollwert 0", &running(mode, settings, ""), 3_000);
+    for (mode, settings, zero) in [
+        (-2, "GEARreference = 1", "0"),
+        (-3, "CURreference = 2, CUR_I_target = 3", "0"),
+        (-4, "SPEEDreference = 1", "0"),
+        (-4, "SPEEDreference = 1", "0rpm --mode speed"),
+    ] {
+        let run = later(&format!("-a 1 sollwert {zero}"), &running(mode, settings, ""), 3_000);
         assert_eq!(run.exit, 8, "{mode}: {}", run.err);
         assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{mode}: {}", run.err);
         assert!(run.err.contains("quick-stop` stops it"), "{mode}: {}", run.err);

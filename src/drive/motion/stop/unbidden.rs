@@ -2,7 +2,7 @@
 //! sooner than its shaft was seen to stand.
 
 use super::super::Motor;
-use super::super::look::raw;
+use super::super::before::elsewhere;
 use super::super::own::shown;
 use crate::outcome::State;
 use crate::profile::{Mode, StopRow};
@@ -29,23 +29,17 @@ impl Motor<'_, '_> {
     }
 
     /// That the setpoint of the mode that the drive shows does not count, because it takes another one from elsewhere: a 0 would stop
-    /// nothing. Asked once; what is not told keeps no stop back, and a source of 0 is none.
+    /// nothing. Asked once; what is not told keeps no stop back.
     pub(super) async fn follows_another(&mut self, mode: &Mode) -> Option<Text> {
-        let family = self.target.family.clone();
-        for preset in &mode.engage {
-            let param = family.param_or_unknown(preset.param);
-            let retries = self.session.set_retries(0);
-            let told = raw(self.session, self.target, &param, 0).await;
-            self.session.set_retries(retries);
-            if let Some(now) = told.ok().flatten().filter(|&now| now != preset.value && now != 0) {
-                return Some(both!(
-                    "{label} is {now}, so that a setpoint of 0 stops nothing: a quick stop was sent in place of the ramp",
-                    "{label} ist {now}, ein Sollwert 0 hält also nichts an: gesendet wurde ein Schnellhalt statt der Rampe",
-                    label = param.label()
-                ));
-            }
-        }
-        None
+        let retries = self.session.set_retries(0);
+        let other = elsewhere(self.session, self.target, mode).await;
+        self.session.set_retries(retries);
+        let (param, now) = other.ok().flatten()?;
+        Some(both!(
+            "{label} is {now}, so that a setpoint of 0 stops nothing: a quick stop was sent in place of the ramp",
+            "{label} ist {now}, ein Sollwert 0 hält also nichts an: gesendet wurde ein Schnellhalt statt der Rampe",
+            label = param.label()
+        ))
     }
 
     /// A ramp that ends in a state out of which a drive comes up again was ended by its power.
