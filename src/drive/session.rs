@@ -250,8 +250,7 @@ impl<'a> Session<'a> {
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             self.heeds(matches!(outcome, Ok(Ok(_))));
-            let two = self.line.borrow().master.were_two(station);
-            if two || matches!(outcome, Ok(Err(ExchangeError::TwoAnswers { .. }))) {
+            if matches!(outcome, Ok(Err(ExchangeError::TwoAnswers { .. }))) {
                 self.twins.insert(station);
             }
             match outcome {
@@ -416,7 +415,7 @@ impl<'a> Session<'a> {
 
     /// Whether more than one answer came from an address to one question since this line was opened.
     pub(super) fn answered_twice(&self, address: u8) -> bool {
-        self.twins.contains(&address)
+        self.twins.contains(&address) || self.line.borrow().master.is_contradicted(address)
     }
 
     /// Counts of what happened on the line.

@@ -176,10 +176,10 @@ impl Master {
         self.twins.is_marked(station)
     }
 
-    /// Whether so much speaks for two drives with one address that it was taken for them. Where nothing may wait for a second answer, this is
-    /// how one shows itself.
-    pub fn were_two(&self, station: u8) -> bool {
-        self.twins.were_two(station)
+    /// Whether a station has answered what was asked once in two ways, the second time unasked. Where nothing may wait for a second answer,
+    /// this is how another drive shows itself.
+    pub fn is_contradicted(&self, station: u8) -> bool {
+        self.twins.is_contradicted(station)
     }
 
     /// The telegrams since the last call.

@@ -7,7 +7,7 @@
 
 use super::heard::COPY_WITHIN;
 use crate::tick::{Span, Tick};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// So often in a row a suspect must answer once until it is one drive; one that gave answers that differ, so much oftener.
 const SINGLES: u8 = 2;
@@ -47,6 +47,8 @@ pub(super) struct Twins {
     lost: BTreeMap<u8, u8>,
     /// How often an answer that was doubted for how it came was said again, and nothing spoke against it.
     vouched: BTreeMap<u8, u8>,
+    /// Stations of which a second answer came in other words to what was asked once, answered, and owed by nobody.
+    contradicted: BTreeSet<u8>,
 }
 
 impl Twins {
@@ -88,6 +90,16 @@ impl Twins {
         }
     }
 
+    /// A second answer came in other words, and nothing was owed: no reply that is late can be that.
+    pub(super) fn contradicts(&mut self, station: u8) {
+        self.contradicted.insert(station);
+    }
+
+    /// Whether that was so since the line was opened.
+    pub(super) fn is_contradicted(&self, station: u8) -> bool {
+        self.contradicted.contains(&station)
+    }
+
     /// Two answers to one question, and nothing older could come.
     pub(super) fn proves(&mut self, station: u8, now: Tick) {
         self.vouched.remove(&station);
@@ -123,11 +135,6 @@ impl Twins {
     /// Whether it has ever given two answers that differ.
     pub(super) fn is_marked(&self, station: u8) -> bool {
         self.by_station.get(&station).is_some_and(|standing| standing.marks > 0)
-    }
-
-    /// Whether it was two drives, and nothing was asked since that would tell otherwise.
-    pub(super) fn were_two(&self, station: u8) -> bool {
-        self.by_station.get(&station).is_some_and(|standing| standing.two.is_some())
     }
 
     /// Whether it is two drives.
@@ -168,7 +175,6 @@ mod tests {
         assert_eq!(seen(&mut twins, at(0)), [false; 4]);
         twins.counts(2, true);
         assert!(!twins.are_likely(2), "of whom nobody suspects it nothing is counted");
-        assert!(!twins.were_two(AT) && !twins.were_two(2));
     }
 
     #[test]
@@ -198,7 +204,6 @@ mod tests {
         }
         twins.marks(AT, at(2));
         assert_eq!(seen(&mut twins, at(2)), [true; 4], "a mark begins the count anew");
-        assert!(twins.were_two(AT));
     }
 
     #[test]

@@ -100,6 +100,7 @@ mod motion {
     mod rig;
     mod rounds;
     mod runs;
+    mod second;
     mod several;
     mod short_of_time;
     mod shown;

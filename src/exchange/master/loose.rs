@@ -131,6 +131,9 @@ impl Master {
         if second && alone && !overtaken {
             self.heard.sees_surplus(station);
             self.twins.marks(station, at);
+            if self.is_alone(at) && !self.dialect.is_numbered() {
+                self.twins.contradicts(station);
+            }
         } else {
             self.suspect(station, at);
         }
