@@ -92,6 +92,7 @@ mod motion {
     mod leftovers;
     mod moments;
     mod narrow;
+    mod others;
     mod otherwise;
     mod pressed;
     mod proofs;
@@ -101,6 +102,7 @@ mod motion {
     mod rig;
     mod rounds;
     mod runs;
+    mod second;
     mod several;
     mod short_of_time;
     mod shown;

@@ -27,7 +27,9 @@ mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
-pub use before::{Standing, is_controlled, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows};
+pub use before::{
+    Standing, elsewhere, is_controlled, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows,
+};
 pub use changes::would_change;
 pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
