@@ -610,12 +610,28 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__dataset)
-            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show active select copy diff save check load undo"
+            opts="-p -a -b -q -v -h --gsd --user-prm --cfg --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show active select copy diff save check load undo"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --gsd)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --slot-time)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --port)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
@@ -2308,7 +2324,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__diag)
-            opts="-p -a -b -q -v -h --clear --link-test --check --gsd --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help line"
+            opts="-p -a -b -q -v -h --clear --link-test --check --gsd --user-prm --cfg --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help line"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -2323,6 +2339,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -2544,12 +2564,28 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__identify)
-            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --gsd --user-prm --cfg --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --gsd)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --slot-time)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --port)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
@@ -3088,7 +3124,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__monitor)
-            opts="-p -a -b -q -v -h --interval --gather --for --duration --count --reconnect --line --textfile --record --trigger --pre --post --once --unpaced --gsd --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --interval --gather --for --duration --count --reconnect --line --textfile --record --trigger --pre --post --once --unpaced --gsd --user-prm --cfg --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3139,6 +3175,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -3772,7 +3812,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus__subcmd__live)
-            opts="-p -a -b -q -v -h --slot-time --questions --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
+            opts="-p -a -b -q -v -h --slot-time --questions --follow --duration --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3783,6 +3823,10 @@ _antrieb() {
                     return 0
                     ;;
                 --questions)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --duration)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -3936,7 +3980,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus__subcmd__read)
-            opts="-p -a -b -q -v -h --gsd --user-prm --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
+            opts="-p -a -b -q -v -h --gsd --user-prm --cfg --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3947,6 +3991,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -4344,7 +4392,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__read)
-            opts="-p -a -b -q -v -h --type --decimals --gsd --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --type --decimals --gsd --user-prm --cfg --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -4363,6 +4411,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -4896,7 +4948,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__sollwert)
-            opts="-p -a -b -q -v -h --mode --set --start --until --enable --source --ramp --profile --jog --force --hold --for --duration --on-exit --watchdog --take-control --wait --view --dead-man --step --min --max --gsd --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
+            opts="-p -a -b -q -v -h --mode --set --start --until --enable --source --ramp --profile --jog --force --hold --for --duration --on-exit --watchdog --take-control --wait --view --dead-man --step --min --max --gsd --user-prm --cfg --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -4971,6 +5023,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -5078,7 +5134,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__statemachine)
-            opts="-p -a -b -q -v -h --gsd --user-prm --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts"
+            opts="-p -a -b -q -v -h --gsd --user-prm --cfg --slot-time --mode --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -5089,6 +5145,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -7140,7 +7200,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__write)
-            opts="-p -a -b -q -v -h --type --decimals --force --gsd --user-prm --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
+            opts="-p -a -b -q -v -h --type --decimals --force --gsd --user-prm --cfg --slot-time --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -7159,6 +7219,10 @@ _antrieb() {
                     return 0
                     ;;
                 --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --cfg)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

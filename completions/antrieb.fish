@@ -118,6 +118,10 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l no-config -d 'R
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l gsd -d 'The GSD of the slave' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -153,6 +157,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l type -d 'uint, 
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l decimals -d 'Decimals, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
@@ -189,6 +194,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l type -d 'uint,
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l decimals -d 'Decimals, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
@@ -222,6 +228,10 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l no-config -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l gsd -d 'The GSD of the slave' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -709,6 +719,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s h -l help -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l link-test -d 'Ask N harmless questions: error rate, reply times' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -781,6 +792,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -1246,6 +1258,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -1729,6 +1742,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l min -d 'Wit
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l max -d 'With --step: no higher than this' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
@@ -1787,6 +1801,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l min -d 'Wit
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l max -d 'With --step: no higher than this' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
@@ -1836,6 +1851,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l pre -d 'So l
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l post -d 'So long behind a trigger is recorded [default: 5s]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l mode -d 'basic or profidrive [default: as Get_Cfg tells]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -2723,6 +2739,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -f -a "module" -d 'A module of the Basic mode: by name, or by its bytes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l questions -d 'Ask each station so often how it is' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l duration -d 'End --follow after this time' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -2738,6 +2755,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_see
 always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l follow -d 'Go on asking: stations as they come, go, or change'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -2749,6 +2767,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l gsd -d 'The GSD of the slave' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l cfg -d 'Its configuration: basic, ppo1 to ppo5, or hex' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"

@@ -145,6 +145,10 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;identify' {
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -186,6 +190,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--decimals', '--decimals', [CompletionResultType]::ParameterName, 'Decimals, whatever the catalogue says')
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -228,6 +233,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--decimals', '--decimals', [CompletionResultType]::ParameterName, 'Decimals, whatever the catalogue says')
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -267,6 +273,10 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;dataset' {
+            [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -839,6 +849,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--link-test', '--link-test', [CompletionResultType]::ParameterName, 'Ask N harmless questions: error rate, reply times')
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -923,6 +934,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;statemachine' {
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -975,6 +987,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;state' {
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1965,6 +1978,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--max', '--max', [CompletionResultType]::ParameterName, 'With --step: no higher than this')
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -2027,6 +2041,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--max', '--max', [CompletionResultType]::ParameterName, 'With --step: no higher than this')
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -2083,6 +2098,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--post', '--post', [CompletionResultType]::ParameterName, 'So long behind a trigger is recorded [default: 5s]')
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--mode', '--mode', [CompletionResultType]::ParameterName, 'basic or profidrive [default: as Get_Cfg tells]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -3131,6 +3147,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;profibus;live' {
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('--questions', '--questions', [CompletionResultType]::ParameterName, 'Ask each station so often how it is')
+            [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End --follow after this time')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -3147,6 +3164,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--trace', '--trace', [CompletionResultType]::ParameterName, 'Record the line to a new file')
             [CompletionResult]::new('--color', '--color', [CompletionResultType]::ParameterName, 'Colour [default: auto]')
             [CompletionResult]::new('--config', '--config', [CompletionResultType]::ParameterName, 'Project file to read in place of ./antrieb.toml')
+            [CompletionResult]::new('--follow', '--follow', [CompletionResultType]::ParameterName, 'Go on asking: stations as they come, go, or change')
             [CompletionResult]::new('--json', '--json', [CompletionResultType]::ParameterName, 'Same as --format json')
             [CompletionResult]::new('-q', '-q', [CompletionResultType]::ParameterName, 'Less on stderr')
             [CompletionResult]::new('--quiet', '--quiet', [CompletionResultType]::ParameterName, 'Less on stderr')
@@ -3164,6 +3182,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;profibus;read' {
             [CompletionResult]::new('--gsd', '--gsd', [CompletionResultType]::ParameterName, 'The GSD of the slave')
             [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'Its configuration: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')

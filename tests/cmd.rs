@@ -15,6 +15,7 @@ fn cases() {
         .insert_var("[VERSION]", env!("CARGO_PKG_VERSION"))
         .unwrap()
         .case("tests/cmd/*.trycmd")
+        .case("README.md")
         .case("docs/first-day.md")
         .case("docs/active.md")
         .case("docs/lexium.md")

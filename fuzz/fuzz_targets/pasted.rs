@@ -9,7 +9,7 @@ use libfuzzer_sys::fuzz_target;
 fuzz_target!(|text: &str| {
     thread_local!(static REGISTRY: Registry = Registry::open(&[]).expect("the built-in catalogues are right"));
     REGISTRY.with(|registry| {
-        let families = registry.families();
+        let families: Vec<_> = registry.families().collect();
         for (at, protocol) in Protocol::ALL.into_iter().enumerate() {
             let family = families.get(at % families.len()).map(|family| &**family);
             let reader = Reader { protocol, node: 0, family, order: None };

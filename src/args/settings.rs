@@ -96,6 +96,34 @@ pub struct Unknown {
 }
 
 impl Settings {
+    /// The same for work that talks to one slave of PROFIBUS as to a drive on any line: it is kept going by somebody else, and nothing can be
+    /// set on that line from here.
+    pub fn through_slave(&self, port: Option<Port>, drive: &str) -> Settings {
+        Settings {
+            ports: port.iter().cloned().collect(),
+            port,
+            protocol: Protocol::Pkw,
+            profibus: false,
+            drive: Some(drive.to_owned()),
+            timeout: None,
+            retries: None,
+            trace: None,
+            verbose: false,
+            port_note: None,
+            ..self.clone()
+        }
+    }
+
+    /// The same with nothing left to be found out, at this speed.
+    pub fn at_speed(&self, baud: u32) -> Settings {
+        Settings { line: LineSetting { baud, ..self.line }, unknown: Unknown::default(), ..self.clone() }
+    }
+
+    /// Whether these are such settings.
+    pub fn is_through_slave(&self) -> bool {
+        self.protocol == Protocol::Pkw
+    }
+
     /// Resolves everything once.
     pub fn resolve(globals: &Globals, environment: &Environment) -> Result<Self, Failure> {
         let mut low = Low::read(globals, environment)?;

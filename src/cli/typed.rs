@@ -7,6 +7,7 @@ use crate::args::{Globals, Settings, below_zero};
 use crate::command::{self, Again, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::text::both;
+use clap::error::ErrorKind;
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -79,7 +80,7 @@ impl Subcommand for What {
 
 impl FromArgMatches for What {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let missing = || clap::Error::new(clap::error::ErrorKind::MissingSubcommand);
+        let missing = || clap::Error::new(ErrorKind::MissingSubcommand);
         let (name, own) = matches.subcommand().ok_or_else(missing)?;
         if let Some(printed) = PRINTED.iter().find(|printed| printed.name == name) {
             return Ok(What::Print(printed, own.clone()));
@@ -143,7 +144,10 @@ pub(super) fn parse(arguments: &[OsString]) -> Result<(Line, Again), clap::Error
         Ok((Line::from_arg_matches(&matches)?, Again::of(&matches).behind(arguments)))
     };
     let told = || if arguments.iter().any(|word| word == "-h") { short::of(whole()) } else { whole() };
-    read(mentioned).or_else(|_| read(told()))
+    read(mentioned).or_else(|error: clap::Error| match error.kind() {
+        ErrorKind::DisplayVersion => Err(error),
+        _ => read(told()),
+    })
 }
 
 /// `antrieb help scan` is `antrieb scan --help`, and `antrieb help` is `antrieb --help`.
@@ -164,7 +168,7 @@ pub(super) fn helped(arguments: &[OsString]) -> Option<Vec<OsString>> {
 /// The tree with only those verbs that stand among the arguments; enough to read them, but not to explain anything.
 pub(super) fn mentioned(arguments: &[OsString]) -> clap::Command {
     let stands = |name: &str| arguments.iter().any(|word| word == name);
-    let root = clap::Command::new("antrieb").disable_help_subcommand(true);
+    let root = clap::Command::new("antrieb").version(env!("CARGO_PKG_VERSION")).disable_help_subcommand(true);
     let verbs = VERBS.iter().filter(|verb| stands(verb.name) || verb.alias.is_some_and(stands));
     let printed = PRINTED.iter().filter(|printed| stands(printed.name));
     let root = Globals::augment_args(root).subcommands(verbs.map(|verb| (verb.command)()));

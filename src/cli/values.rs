@@ -137,7 +137,7 @@ fn of_catalogues(place: &Place<'_>, globals: &Globals, environment: &Environment
     }
     let (lang, drive) = settings.map_or((Lang::En, None), |settings| (settings.lang, settings.drive));
     let named = drive.or_else(|| globals.drive.clone()).and_then(|drive| registry.family(&drive));
-    let families = named.map_or_else(|| registry.families(), |family| vec![family]);
+    let families = named.map_or_else(|| registry.families().collect(), |family| vec![family]);
     families.iter().flat_map(|family| of_family(place, family, lang)).collect()
 }
 

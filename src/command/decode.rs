@@ -130,32 +130,34 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if let (What::Fault { code }, None) = (&args.what, &context.settings.drive) {
         // The letter of a displayed code tells whose it is, and where two have the letter, who knows the code.
         let shown = |family: &Rc<Family>| family.fault_codes.code(code);
-        let all = context.registry.families();
-        let knows = |family: &&Rc<Family>| shown(family).is_some_and(|code| family.fault(code).is_some());
-        let told = all.iter().find(knows).or_else(|| all.iter().find(|family| shown(family).is_some()));
-        family = told.cloned().unwrap_or(family);
+        let all = || context.registry.families();
+        let knows = |family: &Rc<Family>| shown(family).is_some_and(|code| family.fault(code).is_some());
+        let told = all().find(knows).or_else(|| all().find(|family| shown(family).is_some()));
+        family = told.unwrap_or(family);
     }
-    let cube = cube(context, &family);
     let reader = telegram_reader(context.settings, &family);
-    let on_can = telegram_reader(context.settings, &cube);
-    let inverter = dp::inverter(context, &family);
     let decode = match &args.what {
         What::Telegram { bytes, cfg } => {
             let input = bytes.join(" ");
             let is_profibus = context.settings.profibus || cfg.is_some() || dp::is_spoken(&input);
-            let docs = if is_profibus { dp::reader(&inverter, *cfg).typed(&input) } else { reader.typed(&input) };
+            let docs = match is_profibus {
+                true => dp::reader(&dp::inverter(context, &family), *cfg).typed(&input),
+                false => reader.typed(&input),
+            };
             return checked(blank("telegram", &input), docs.map_err(|error| error.text()));
         }
         What::Can { frames } => {
             let input = frames.join(" ");
-            return checked(blank("can", &input), on_can.frames(&input));
+            let cube = cube(context, &family);
+            return checked(blank("can", &input), telegram_reader(context.settings, &cube).frames(&input));
         }
         What::Trace { file, candump } => {
             let shown = file.display().to_string();
             let wrong =
                 |why: Text| Failure::new(Class::Data, "data.trace", both!("{shown}: {why}", "{shown}: {why}", why));
             let text = files::read(file, files::RECORDING).map_err(|error| wrong(error.text()))?;
-            let reader = if is_can(&text) { on_can } else { reader };
+            let cube = cube(context, &family);
+            let reader = if is_can(&text) { telegram_reader(context.settings, &cube) } else { reader };
             let telegrams = reader.recording(&text).map_err(wrong)?;
             if let Some(path) = candump {
                 let note = write_log(&text, path, context.settings.force)?;
@@ -173,7 +175,7 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
             let number = number(code).ok_or_else(|| bad_code(code, &both!("a code such as 11", "ein Code wie 11")))?;
             Decode { register: Some(describe::register(&family, number)), ..blank("error", code) }
         }
-        What::Profibus(what) => dp::explain(what, &inverter)?,
+        What::Profibus(what) => dp::explain(what, &dp::inverter(context, &family))?,
     };
     if let Some(note) = base(&args.what, &family) {
         (context.observe)(Event::Note(note));

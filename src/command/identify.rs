@@ -1,6 +1,7 @@
 //! `identify`: what is at an address, and how does it want to be talked to?
 
 use super::lines::OverLines;
+use super::profibus::{self, SlaveArgs};
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, terms};
 use crate::args::{Settings, Takes};
@@ -15,8 +16,15 @@ use clap::Args as ClapArgs;
 ///
 /// Shows the family with the evidence for it, protocol, baud rate, parity, address, watchdog, control mode,
 /// configuration, active data set, and which option modules answer. Nothing in the drive is changed.
-#[derive(Clone, Debug, ClapArgs)]
-pub struct Args {}
+///
+/// Over PROFIBUS (--protocol dp) a slave is taken for it, held by the stop word, and let go: its ident number, the name in its GSD (--gsd),
+/// P.964, P.624, P.800, P.801, P.251 and the address of its switches.
+#[derive(Clone, Debug, Default, ClapArgs)]
+pub struct Args {
+    /// How a slave of PROFIBUS is taken.
+    #[command(flatten)]
+    pub slave: SlaveArgs,
+}
 
 /// Roles whose values matter for talking to a drive, in the order in which they are shown.
 const ROLES: [Role; 9] = [
@@ -38,6 +46,7 @@ impl Verb for Args {
     const NAME: &'static str = "identify";
     const TAKES: Takes = Takes::READS;
     const SDO: bool = true;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] =
         &["antrieb --port sim -a 1 identify", "antrieb --port sim -a 1,2 identify --json"];
     const UPPER: Upper = Upper::drive(60);
@@ -53,7 +62,10 @@ impl Verb for Args {
 }
 
 /// Identifies every drive that was named.
-pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if args.slave.is_meant(context.settings)? {
+        return profibus::identify(&args.slave, context).await;
+    }
     if context.settings.dry_run {
         let family = super::offline_family(context.settings, context.registry)?;
         return plan(context, &family, &looks(&family));

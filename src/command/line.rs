@@ -132,7 +132,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
     }
     let families = match &context.settings.drive {
         Some(name) => vec![super::named_family(context.settings, context.registry, name)?],
-        None => context.registry.families().into_iter().filter(|family| family.link.is_asked_on_a_line()).collect(),
+        None => context.registry.families().filter(|family| family.link.is_asked_on_a_line()).collect(),
     };
     wish.check(&families)?;
     if context.settings.dry_run {

@@ -161,7 +161,7 @@ async fn open<'a>(
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
     if let Some(name) = settings.drive.as_deref() {
-        reachable(&*named_family(settings, registry, name)?)?;
+        reachable(&*named_family(settings, registry, name)?, settings)?;
     }
     let opening = opening(port, settings);
     if settings.verbose {
@@ -224,8 +224,8 @@ fn name_one() -> Text {
 }
 
 /// Refuses a family that is reached over PROFIBUS alone.
-fn reachable(family: &Family) -> Result<(), Failure> {
-    if family.link.is_asked_on_a_line() {
+fn reachable(family: &Family, settings: &Settings) -> Result<(), Failure> {
+    if family.link.is_asked_on_a_line() || settings.is_through_slave() {
         return Ok(());
     }
     let drive = &family.drive;
@@ -290,8 +290,11 @@ fn known_somewhere(settings: &Settings, registry: &Registry, selectors: &[Select
     if settings.drive.is_some() || selectors.len() < 2 {
         return Ok(());
     }
+    if registry.families().any(|family| selectors.iter().all(|selector| selector.resolve(&family).is_ok())) {
+        return Ok(());
+    }
     let usual = offline_family(settings, registry)?;
-    let families = registry.families();
+    let families: Vec<_> = registry.families().collect();
     let knowing = |selector: &Selector| {
         let known = families.iter().filter(|family| selector.resolve(family).is_ok());
         known.map(|family| family.drive.as_str()).collect::<Vec<_>>()
@@ -301,9 +304,6 @@ fn known_somewhere(settings: &Settings, registry: &Registry, selectors: &[Select
         if let (true, Err(error)) = (known.is_empty(), selector.resolve(&usual)) {
             return Err(read::select_failure(&error));
         }
-    }
-    if families.iter().any(|family| known.iter().all(|known| known.contains(&family.drive.as_str()))) {
-        return Ok(());
     }
     let whose = selectors.iter().zip(&known).map(|(selector, known)| format!("{selector} ({})", known.join(", ")));
     let whose = whose.collect::<Vec<_>>().join(", ");
@@ -326,7 +326,7 @@ fn is_unknown(failure: &Failure) -> bool {
 
 /// What a verb that reads would ask every drive that was named, without opening anything.
 fn plan(context: &mut Context<'_>, family: &Family, questions: &[Inquiry]) -> Result<Outcome, Failure> {
-    reachable(family)?;
+    reachable(family, context.settings)?;
     let addresses = addresses_to_read(context.settings, context.observe)?;
     let reader = telegram_reader(context.settings, family);
     let each = |address: u8| questions.iter().filter_map(move |question| reader.question(address, *question));
@@ -354,7 +354,7 @@ fn speech(settings: &Settings) -> Speech<'static> {
 
 /// Refuses numbers that no telegram of the family can carry.
 fn check_number(family: &Family, param: &Param) -> Result<(), Failure> {
-    if family.link.carries(param.id) {
+    if family.link.carries(param.number()) {
         return Ok(());
     }
     let message = both!(

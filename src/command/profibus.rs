@@ -2,30 +2,37 @@
 
 mod diag;
 mod given;
+mod identify;
 pub(super) mod job;
 mod mode;
 pub(super) mod read;
 pub(super) mod run;
+mod scan;
 mod show;
 pub(super) mod spoken;
 mod taking;
+mod through;
 mod told;
 mod watch;
 pub(super) mod write;
 
 pub(super) use diag::diag;
 pub use given::SlaveArgs;
+pub(super) use identify::identify;
+pub(super) use scan::{Ends, scan};
 pub(super) use show::show;
 pub use spoken::ModeArg;
 pub(super) use taking::refuse;
+pub(super) use through::through;
 pub(super) use watch::{Watch, watch};
 
-use super::verb::{Verb, Working};
+use super::verb::{Flow, Verb, Working};
 use super::{Context, named_family};
 use crate::args::{Addresses, Settings, Takes, parse_span};
+use crate::drive::profibus::Round;
 use crate::drive::{Interrupt, Opening, Recording, open_port, profibus};
 use crate::failure::{Class, Failure};
-use crate::outcome::{BasicModule, Data, Document, Event, LiveList, OrLive, OrRead, Outcome, Plan};
+use crate::outcome::{BasicModule, Data, Document, Event, LiveList, OrLive, OrRead, OrRecord, Outcome, Plan};
 use crate::profile::Registry;
 use crate::text::both;
 use crate::tick::Span;
@@ -61,6 +68,15 @@ enum What {
         /// what the adapter adds.
         #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
         questions: Option<u32>,
+        /// Go on asking: stations as they come, go, or change
+        ///
+        /// A line for each, with state and ident number; --format ndjson streams them. Who is there is asked every 0.5 s, and a new one is
+        /// found within a round over all addresses. Ctrl-C or --duration end it.
+        #[arg(long, conflicts_with = "questions")]
+        follow: bool,
+        /// End --follow after this time
+        #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "follow")]
+        duration: Option<Span>,
     },
     /// Parameters of one inverter, over PKW
     ///
@@ -103,11 +119,18 @@ impl Verb for Args {
         "antrieb profibus module X200 get F002 swapped address based",
         "antrieb profibus module C7 FF FF",
     ];
-    type Prints = Document<OrLive<OrRead<BasicModule>>>;
+    type Prints = OrRecord<Document<OrLive<OrRead<BasicModule>>>>;
+
+    fn streams(&self) -> Option<Flow> {
+        matches!(self.what, What::Live { follow: true, .. }).then_some(Flow::Telegrams { capture: None })
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         match &self.what {
-            What::Live { slot_time, questions } => Box::pin(live(*slot_time, questions.unwrap_or_default(), context)),
+            What::Live { slot_time, questions, follow, duration } => {
+                let asked = Asked { questions: questions.unwrap_or_default(), follow: *follow, duration: *duration };
+                Box::pin(live(*slot_time, asked, context))
+            }
             What::Read { parameters, slave } => Box::pin(read::read(parameters, slave, context)),
             What::Module { module } => Box::pin(std::future::ready(self::module(module, context))),
         }
@@ -122,8 +145,16 @@ fn module(module: &[String], context: &Context<'_>) -> Result<Outcome, Failure> 
     Ok(Outcome::of(Data::BasicModule(found)))
 }
 
+/// How a line is asked.
+#[derive(Clone, Copy)]
+struct Asked {
+    questions: u32,
+    follow: bool,
+    duration: Option<Span>,
+}
+
 /// Tells who is on the line.
-async fn live(slot_time: Option<Span>, questions: u32, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+async fn live(slot_time: Option<Span>, asked: Asked, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses(context.settings)?;
     if context.settings.dry_run {
         let telegrams = profibus::questions(addresses.first().copied());
@@ -136,7 +167,21 @@ async fn live(slot_time: Option<Span>, questions: u32, context: &mut Context<'_>
     }
     let Context { settings, registry, interrupt, observe, .. } = context;
     let mut line = open(slot_time, (settings, registry), interrupt, *observe).await?;
-    let (found, ended) = profibus::live(&mut line, &addresses, questions).await;
+    let Asked { questions, follow, duration } = asked;
+    let (found, ended) = match follow {
+        true => {
+            line.pace();
+            let until = duration.map(|duration| line.now() + duration);
+            profibus::follow(&mut line, &addresses, until).await
+        }
+        false => {
+            let round = Round { addresses: &addresses, questions, until_first: false, until: None };
+            profibus::live(&mut line, round).await
+        }
+    };
+    if follow {
+        return Ok(Outcome { data: Some(Data::LiveList(found)), warnings: Vec::new(), failure: ended });
+    }
     let failure = ended.or_else(|| nobody(&found)).or_else(|| incomplete(&found));
     Ok(Outcome { data: Some(Data::LiveList(found)), warnings: Vec::new(), failure })
 }

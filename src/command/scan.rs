@@ -5,6 +5,7 @@ mod resume;
 
 use super::Context;
 use super::lines::{OverLines, of_port, one_recording};
+use super::profibus;
 use super::verb::{Flow, Verb, Working};
 use crate::args::{Addresses, Settings, Takes, parse_span};
 use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Unknown, Upper, open_port, scan};
@@ -44,6 +45,9 @@ use std::path::PathBuf;
 /// On a CAN bus (`--protocol sdo`) nodes 1 to 63 are asked, and node 0 as 64. Where a master is heard on it nobody is asked: it is listened to for
 /// 5 s, or as long as --within says, and what shows itself is told with how sure that is; --force asks.
 ///
+/// Over PROFIBUS (`--protocol dp`) the stations 0 to 125 are asked who they are (FDL status, Slave_Diag, Get_Cfg), as by `profibus live`; with
+/// --baud auto at 19200, 9600, 93750, 187500, 500000 and 1500000, until somebody answers.
+///
 /// Ctrl-C ends the search, as --within does, and shows what was found so far and what was left open; `--resume` goes on from a
 /// result that was saved with --json.
 #[derive(Clone, Debug, Default, ClapArgs)]
@@ -77,11 +81,13 @@ impl Verb for Args {
     const NAME: &'static str = "scan";
     const TAKES: Takes = Takes::SEARCHES;
     const SDO: bool = true;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim scan",
         "antrieb --port sim -a 1-10 scan --until-first",
         "antrieb --port sim --baud auto --parity auto -a 1,2 scan",
         "antrieb --port sim --baud auto --parity auto --protocol auto scan --within 2m",
+        "antrieb --port sim --protocol dp --baud auto scan",
     ];
     const UPPER: Upper = Upper::drive(30).each(4, "address at a setting that is known").unless(
         "A search for settings says before it begins how long it lasts and how long at most, and keeps to that: at most twice \
@@ -105,6 +111,11 @@ impl Verb for Args {
 
 /// Searches the lines.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.profibus {
+        let Args { thorough, fast, until_first, within, ref resume } = *args;
+        profibus::refuse(&[("--thorough", thorough), ("--fast", fast), ("--resume", resume.is_some())])?;
+        return profibus::scan(profibus::Ends { until_first, within }, context).await;
+    }
     let settings = context.settings;
     let addresses = addresses(settings)?;
     if settings.dry_run {

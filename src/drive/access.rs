@@ -28,6 +28,9 @@ pub struct Refusal {
 impl Refusal {
     /// Whether its cause says that the drive has no such parameter, or does not tell it.
     pub fn denies(self, family: &Family) -> bool {
+        if self.no.is_of_number() {
+            return true;
+        }
         let row = self.cause.and_then(|cause| family.error(cause.into()));
         row.is_some_and(|row| row.denies)
     }

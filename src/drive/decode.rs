@@ -14,6 +14,7 @@ use crate::outcome::{Field, TelegramDoc};
 use crate::profile::{Family, Link};
 use crate::protocol::Protocol;
 use crate::protocol::can::Telegram;
+use crate::protocol::dp::pkw::Pkw;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
 use crate::text::{Text, both};
@@ -175,6 +176,16 @@ impl Reader<'_> {
             Protocol::Modbus(framing) => self.modbus(framing, bytes, is_request),
             Protocol::Vabus => self.vabus(bytes),
             Protocol::Sdo(_) => self.sdo(bytes),
+            Protocol::Pkw => self.block(bytes),
+        }
+    }
+
+    /// A PKW block of a station, in the telegram of a cycle that carries it.
+    fn block(&self, bytes: &[u8]) -> TelegramDoc {
+        let block = bytes.split_first().and_then(|(station, block)| Some((*station, block.try_into().ok()?)));
+        match (block, self.family) {
+            (Some((station, block)), Some(family)) => super::profibus::asking(station, Pkw::decode(block), family),
+            _ => TelegramDoc::blank(self.protocol.name(), Hex(bytes).to_string(), false),
         }
     }
 
@@ -209,6 +220,7 @@ fn spoken(bytes: &[u8], before: Protocol) -> Protocol {
         Protocol::Modbus(framing) => framing.decode(bytes).is_ok(),
         Protocol::Vabus => vabus::cut(bytes).iter().all(|bytes| vabus::is_telegram(bytes)),
         Protocol::Sdo(_) => Telegram::decode(bytes).is_some(),
+        Protocol::Pkw => false,
     };
     all.into_iter().find(makes_sense).unwrap_or(before)
 }
@@ -249,7 +261,7 @@ mod tests {
     /// Readers of everything that we know a catalogue of.
     fn each_reader(mut work: impl FnMut(Reader<'_>)) {
         thread_local! {
-            static FAMILIES: Vec<std::rc::Rc<Family>> = Registry::open(&[]).unwrap().families();
+            static FAMILIES: Vec<std::rc::Rc<Family>> = Registry::open(&[]).unwrap().families().collect();
         }
         for family in FAMILIES.with(Clone::clone) {
             for order in [WordOrder::HighFirst, WordOrder::LowFirst] {

@@ -107,8 +107,8 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8) -> Value {
         address,
         node: 0,
         drive: family.drive.clone(),
-        param: param.id,
-        index: None,
+        param: param.number(),
+        index: param.element(),
         slug: param.slug.clone(),
         name: param.name.clone(),
         data_set,
@@ -135,8 +135,8 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         address,
         node: 0,
         drive: family.drive.clone(),
-        param: param.id,
-        index: None,
+        param: param.number(),
+        index: param.element(),
         slug: param.slug.clone(),
         name: param.name.clone(),
         data_set,
@@ -157,7 +157,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
 
 /// A setting of a file that is not written.
 pub fn left_out(param: &Param, data_set: u8, why: NotLoadedWhy) -> NotLoaded {
-    NotLoaded { param: param.id, data_set, slug: param.slug.clone(), name: param.name.clone(), why }
+    NotLoaded { param: param.number(), data_set, slug: param.slug.clone(), name: param.name.clone(), why }
 }
 
 /// A word bit by bit.

@@ -18,6 +18,9 @@ const GATEWAY_PATIENCE: Span = Span::from_secs(3);
 /// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
 const GATEWAY_REPEATS: u8 = 0;
 
+/// Behind both halves of a request over PKW and what is borne of a slave besides, whoever keeps it going says himself that it is silent.
+const SLAVE_PATIENCE: Span = Span::from_secs(15);
+
 /// How to open a line.
 #[derive(Debug)]
 pub struct Opening<'a> {
@@ -54,9 +57,10 @@ impl<'a> Opening<'a> {
     /// How long and how often a question is asked on it.
     pub(super) fn limits(&self) -> Limits {
         let usual = Limits::default();
-        let (patience, repeats) = match self.protocol == Framing::Tcp.into() {
-            true => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
-            false => (usual.reply_timeout, usual.retries),
+        let (patience, repeats) = match self.protocol {
+            Protocol::Modbus(Framing::Tcp) => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
+            Protocol::Pkw => (SLAVE_PATIENCE, GATEWAY_REPEATS),
+            _ => (usual.reply_timeout, usual.retries),
         };
         let (reply_timeout, retries) = (self.timeout.unwrap_or(patience), self.retries.unwrap_or(repeats));
         Limits { reply_timeout, retries, ..usual }
@@ -132,7 +136,7 @@ pub(super) fn open_trace(recording: Recording<'_>, about: &str) -> Result<Trace,
 /// what it gets at once, nor behind a network.
 pub(super) fn is_wired(port: &Port) -> bool {
     match port {
-        Port::Sim(_) => true,
+        Port::Sim(_) | Port::Beside(_) => true,
         Port::Serial(name) => {
             let real = std::fs::canonicalize(name).unwrap_or_else(|_| name.into());
             !(real.starts_with("/dev/pts") || real.starts_with("/dev/ttys"))

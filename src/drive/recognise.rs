@@ -2,6 +2,7 @@
 
 mod active;
 mod description;
+mod inverter;
 
 use self::description::describe_yourself;
 use super::access::AccessError;
@@ -64,6 +65,9 @@ pub async fn recognise(
     address: u8,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
+    if session.protocol() == Protocol::Pkw {
+        return inverter::series(session, address).await;
+    }
     let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
     let question = route.question(Inquiry::Read(STATUS_WORD, Type::Uint)).ok_or(AccessError::Unspeakable)?;
     if let Some(family) = registry.presumed().filter(|_| route.node != 0) {
@@ -179,6 +183,7 @@ impl<'q, 's> Inquest<'q, 's> {
             (Protocol::Vabus, _) => true, // nobody else is known to speak it
             // What is no drive knows no object 019Bh, or has something else there.
             (Protocol::Sdo(_), status) => status.is_some(),
+            (Protocol::Pkw, _) => false,
             (Protocol::Modbus(_), Some(_)) => self.speaks_code_100().await?,
             (Protocol::Modbus(_), None) => false,
         };
@@ -197,7 +202,7 @@ impl<'q, 's> Inquest<'q, 's> {
     /// What a product code begins with is printed nowhere for some families. A device that describes itself is still known
     /// by the parameter that holds its address, where the family of the unknown product keeps one.
     async fn knows_its_address(&mut self) -> Result<(), AccessError> {
-        for family in self.registry.families().into_iter().filter(|family| family.link.product.is_some()) {
+        for family in self.registry.families().filter(|family| family.link.product.is_some()) {
             let Some(param) = family.role(Role::Address) else { continue };
             let route = Route::new(self.route.protocol, &family.link, self.route.address);
             let cell = Cell { number: param.id, set: 0 };
@@ -231,11 +236,13 @@ impl<'q, 's> Inquest<'q, 's> {
             Protocol::Modbus(_) => both!("code 3, P.411", "Code 3, P.411"),
             Protocol::Vabus => Text::name("ENQUIRY P.411"),
             Protocol::Sdo(_) => Text::name("SDO P.411"),
+            Protocol::Pkw => Text::name("PKW P.411"),
         };
         let tells = match self.route.protocol {
             Protocol::Modbus(_) => both!("a Modbus device", "ein Modbus-Gerät"),
             Protocol::Vabus => both!("somebody speaks VABus", "jemand spricht VABus"),
             Protocol::Sdo(_) => both!("a node answers SDO", "ein Knoten beantwortet SDO"),
+            Protocol::Pkw => both!("a slave answers PKW", "ein Slave beantwortet PKW"),
         };
         self.finding.note(asked, answered, tells);
         status
@@ -269,5 +276,6 @@ fn told(no: No) -> Text {
         No::Exception(code) => wrong::exception(code),
         No::Nak => Text::name("NAK"),
         No::Abort(code) => wrong::abort(code),
+        No::Pkw(pwe) => super::profibus::no(pwe),
     }
 }

@@ -100,7 +100,7 @@ impl Place {
     fn usual(protocol: Protocol, baud: u32, parity: Parity, address: u8) -> Self {
         let line = match protocol {
             Protocol::Vabus => LineSetting::vabus(baud),
-            Protocol::Modbus(_) | Protocol::Sdo(_) => protocol.line(baud, parity),
+            Protocol::Modbus(_) | Protocol::Sdo(_) | Protocol::Pkw => protocol.line(baud, parity),
         };
         Place { protocol, line, address }
     }
@@ -134,7 +134,7 @@ impl Place {
 
 /// Whether a drive can be set to it by the settings of its serial plug.
 fn is_of_a_line(protocol: &Protocol) -> bool {
-    *protocol != Framing::Tcp.into() && !matches!(protocol, Protocol::Sdo(_))
+    *protocol != Framing::Tcp.into() && !matches!(protocol, Protocol::Sdo(_) | Protocol::Pkw)
 }
 
 impl Wish {

@@ -1,13 +1,17 @@
 //! From a parameter to the question that reads or writes it, and from the answer to its bits: over every protocol, in
 //! the ways of every family.
 
+use super::profibus::place;
+use crate::exchange::dp::Request as Block;
 use crate::exchange::{Question, Said};
-use crate::profile::{Cause, Family, Link, Role, Route as Way, Type, input_register};
+use crate::profile::{Cause, Family, Link, Param, Role, Route as Way, Type, input_register};
 use crate::protocol::Protocol;
 use crate::protocol::can::sdo::{self, Initiate, Multiplexer};
+use crate::protocol::dp::pkw::{Answer, Pkw};
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request, WordOrder};
 use crate::protocol::vabus::{self, Address, Data, DataSet, Header, ParamNumber, SystemNode};
+use crate::tick::Tick;
 use std::rc::Rc;
 
 /// A parameter number and a data set as they go on the wire.
@@ -45,6 +49,8 @@ pub enum No {
     Nak,
     /// An abort of SDO, with its code: of a drive that is the number of the cause (EM-RES-03 manual 5.10.1).
     Abort(u32),
+    /// A refusal over PKW with what stands in PWE (SJ2-PB manual 4.1.1); without it there is no right to it.
+    Pkw(Option<u32>),
 }
 
 impl No {
@@ -57,8 +63,13 @@ impl No {
     pub(super) fn cause(self) -> Option<u16> {
         match self {
             No::Abort(code) => sdo::AbortCode(code).of_a_drive().map(u16::from),
-            No::Exception(_) | No::Nak => None,
+            No::Exception(_) | No::Nak | No::Pkw(_) => None,
         }
+    }
+
+    /// Whether it says that there is no parameter of this number (SJ2-PB manual 4.1.1).
+    pub(super) fn is_of_number(self) -> bool {
+        self == No::Pkw(Some(0))
     }
 
     /// Whether the code alone says something of what was asked for (V1.1b3 7), and not of the moment, the way there, or that the
@@ -94,6 +105,8 @@ pub(super) enum Width {
     AsAsked,
     /// Nobody says: always four bytes came (EM-RES-03 manual 5.10.1).
     Untold,
+    /// As the catalogue says: what came names its parameter, and a slave may say the sign of a word once more in the upper half.
+    AsKnown,
 }
 
 /// The way to the parameters of one drive.
@@ -153,10 +166,13 @@ impl Route {
     /// The question, if the protocol and the family have it and the number fits.
     pub fn question(self, inquiry: Inquiry) -> Option<Question> {
         match (self.protocol, self.way) {
+            (Protocol::Pkw, Way::Pkw) => block(inquiry).map(Question::from),
             (Protocol::Vabus, Way::Active) => self.vabus(inquiry).map(Question::from),
             (Protocol::Sdo(_), Way::Active) => object(inquiry).map(Question::from),
             // Nobody but the ACTIVE drives is known to speak these.
-            (Protocol::Vabus | Protocol::Sdo(_), Way::Registers32 | Way::Registers) | (_, Way::Pkw) => None,
+            (Protocol::Vabus | Protocol::Sdo(_), Way::Registers32 | Way::Registers)
+            | (_, Way::Pkw)
+            | (Protocol::Pkw, _) => None,
             (Protocol::Modbus(_), Way::Active) => active(inquiry).map(Question::from),
             (Protocol::Modbus(_), Way::Registers32) => self.registers32(inquiry).map(Question::from),
             (Protocol::Modbus(_), Way::Registers) => self.registers(inquiry).map(Question::from),
@@ -169,7 +185,7 @@ impl Route {
             (Way::Active, No::Exception(code)) => {
                 matches!(code, Exception::DeviceFailure | Exception::IllegalDataAddress)
             }
-            (_, No::Abort(_)) => false,
+            (_, No::Abort(_) | No::Pkw(_)) => false,
             _ => true,
         };
         if !told {
@@ -204,7 +220,8 @@ impl Route {
                     _ => Content::Bits(bits, Width::Untold),
                 }
             }
-            Said::Vabus(_) | Said::Sdo(_) => Content::Done,
+            Said::Pkw(block) if !said.is_refusal() => Content::Bits(block.pwe, Width::AsKnown),
+            Said::Vabus(_) | Said::Sdo(_) | Said::Pkw(_) => Content::Done,
         })
     }
 
@@ -342,6 +359,27 @@ fn object(inquiry: Inquiry) -> Option<sdo::Request> {
     }
 }
 
+/// By index, and the element of an array by its own number (SJ2-PB manual 4.1.1, 4.1.2.5); no value of four bytes can be written (5.5).
+fn block(inquiry: Inquiry) -> Option<Pkw> {
+    let of = |cell: Cell| {
+        let param = Param::unknown(cell.number);
+        let place = place(param.number(), param.element());
+        // A parameter of the second set has an index of its own.
+        (place.pnu <= LAST_PNU && cell.set == 0).then_some(place)
+    };
+    let request = match inquiry {
+        Inquiry::Read(cell, _) => Block::read(of(cell)?, Tick::ZERO),
+        Inquiry::Write(cell, kind, bits) if kind.bytes().is_none_or(|bytes| bytes <= 2) => {
+            Block::write(of(cell)?, bits as u16, Tick::ZERO)
+        }
+        _ => return None,
+    };
+    Some(request.asked())
+}
+
+/// Bits 10 to 0 of PKE.
+const LAST_PNU: u16 = 0x07FF;
+
 /// The question for the error register of a family that has one.
 pub(super) fn register(family: &Family) -> Option<Inquiry> {
     let register = family.role(Role::ErrorRegister)?;
@@ -354,6 +392,9 @@ pub(super) fn no(said: &Said) -> Option<No> {
         Said::Modbus(Reply::Exception { code, .. }) => Some(No::Exception(*code)),
         Said::Vabus(vabus::Reply::Nak { .. }) => Some(No::Nak),
         Said::Sdo(sdo::Reply::Abort(_, code)) => Some(No::Abort(code.0)),
+        Said::Pkw(block) if said.is_refusal() => {
+            Some(No::Pkw(Some(block.pwe).filter(|_| Answer::of(block.ak) == Answer::Refused)))
+        }
         _ => None,
     }
 }

@@ -313,7 +313,7 @@ impl<'r> Ear<'r> {
         }
         let alike = doc.direction.is_none();
         // Where request and reply look alike, the first is the request; but of the very first nobody knows.
-        if doc.check_ok && alike && self.is_in {
+        if doc.check_ok && alike && self.is_in && self.profibus.is_none() {
             let asked = self.asked.as_ref().filter(|asked| asked.can_be_answered_by(&doc));
             let is_same = asked.is_some_and(|asked| asked.hex == doc.hex);
             let in_time = self.census.in_time(doc.address.unwrap_or_default());

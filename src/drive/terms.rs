@@ -33,7 +33,7 @@ fn own_address(protocol: Protocol) -> Option<Role> {
     match protocol {
         Protocol::Modbus(_) => Some(Role::Address),
         Protocol::Vabus => Some(Role::NodeId),
-        Protocol::Sdo(_) => None,
+        Protocol::Sdo(_) | Protocol::Pkw => None,
     }
 }
 

@@ -256,6 +256,7 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
             Reading { raw: value::from_wire(bits, whole, None), ..blank }
         }
         Content::Bits(bits, Width::Untold) => untold(param, bits, kind, &blank),
+        Content::Bits(bits, Width::AsKnown) => Reading { raw: value::from_wire(bits, kind, param.min), ..blank },
         Content::Bits(bits, width) => {
             let kind = match width {
                 Width::Long if kind.bits() == Some(32) => kind,

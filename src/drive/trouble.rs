@@ -31,6 +31,9 @@ impl AccessError {
 }
 
 fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
+    if let No::Pkw(pwe) = refusal.no {
+        return super::profibus::refused(address, pwe);
+    }
     let row = refusal.cause.and_then(|code| family?.error(code.into()));
     let (where_key, where_text) = match family.map(|family| family.link.cause) {
         _ if matches!(refusal.no, No::Abort(_)) => ("abort", both!("code", "Code")),
@@ -41,6 +44,7 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
         No::Exception(exception) => wrong::exception(exception),
         No::Nak => Text::name("NAK"),
         No::Abort(code) => wrong::abort(code),
+        No::Pkw(pwe) => super::profibus::no(pwe),
     };
     let (code, cause) = match (refusal.cause, row) {
         (Some(0) | None, _) => {
@@ -48,6 +52,7 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
                 No::Exception(exception) => exception.name().replace(' ', "_"),
                 No::Nak => "nak".to_owned(),
                 No::Abort(_) => "abort".to_owned(),
+                No::Pkw(_) => "pkw".to_owned(),
             };
             let unheard = both!(", cause not known", ", Ursache unbekannt");
             (code, if refusal.unheard { unheard } else { Text::default() })

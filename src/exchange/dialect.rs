@@ -4,16 +4,19 @@
 //! `Says`; the enums here only pick. RTU, ASCII and TCP are framings of `modbus`.
 
 mod modbus;
+mod pkw;
 mod sdo;
 mod vabus;
 
 use crate::protocol::Protocol;
 use crate::protocol::can::sdo as objects;
+use crate::protocol::dp::pkw::Pkw;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu;
 use crate::protocol::vabus as telegrams;
 use crate::tick::Span;
 use modbus::Modbus;
+use pkw::Block;
 use sdo::Sdo;
 use std::fmt::Debug;
 use std::ops::{Deref, DerefMut, Range};
@@ -28,6 +31,8 @@ pub enum Question {
     Vabus(telegrams::Request),
     /// A frame of SDO.
     Sdo(objects::Request),
+    /// A PKW block to a slave.
+    Pkw(Pkw),
 }
 
 /// What a station answered.
@@ -39,6 +44,8 @@ pub enum Said {
     Vabus(telegrams::Reply),
     /// A frame of SDO; an abort is one too.
     Sdo(objects::Reply),
+    /// A PKW block from a slave; a refusal is one too.
+    Pkw(Pkw),
 }
 
 /// A protocol as it is spoken on one line.
@@ -47,6 +54,7 @@ pub(super) enum Dialect {
     Modbus(Modbus),
     Vabus(Vabus),
     Sdo(Sdo),
+    Pkw(Block),
 }
 
 impl Dialect {
@@ -55,6 +63,7 @@ impl Dialect {
             Protocol::Modbus(framing) => Dialect::Modbus(Modbus::new(framing)),
             Protocol::Vabus => Dialect::Vabus(Vabus),
             Protocol::Sdo(channel) => Dialect::Sdo(Sdo(channel)),
+            Protocol::Pkw => Dialect::Pkw(Block),
         }
     }
 }
@@ -67,6 +76,7 @@ impl Deref for Dialect {
             Dialect::Modbus(modbus) => modbus,
             Dialect::Vabus(vabus) => vabus,
             Dialect::Sdo(sdo) => sdo,
+            Dialect::Pkw(block) => block,
         }
     }
 }
@@ -77,6 +87,7 @@ impl DerefMut for Dialect {
             Dialect::Modbus(modbus) => modbus,
             Dialect::Vabus(vabus) => vabus,
             Dialect::Sdo(sdo) => sdo,
+            Dialect::Pkw(block) => block,
         }
     }
 }
@@ -87,6 +98,7 @@ impl Question {
             Question::Modbus(request) => request,
             Question::Vabus(request) => request,
             Question::Sdo(request) => request,
+            Question::Pkw(block) => block,
         }
     }
 
@@ -127,6 +139,7 @@ impl Said {
             Said::Modbus(reply) => reply,
             Said::Vabus(reply) => reply,
             Said::Sdo(reply) => reply,
+            Said::Pkw(block) => block,
         }
     }
 

@@ -117,6 +117,11 @@ impl Heard {
         self.like(at, bytes).next().is_some()
     }
 
+    /// Whether they were the answer to another question, or to none.
+    pub(super) fn is_anothers(&self, at: Tick, bytes: &[u8], question: &Question) -> bool {
+        self.like(at, bytes).any(|old| old.answered.as_ref() != Some(question))
+    }
+
     /// From when on nothing that was heard by now is copied any more.
     pub(super) fn quiet_at(&self, now: Tick) -> Tick {
         self.telegrams.back().map_or(now, |last| last.at + COPY_WITHIN).max(now)
@@ -182,9 +187,8 @@ impl Heard {
         let soon = pace.is_some_and(|pace| sample.after + TOLERANCE_US < pace.fastest);
         let slowest = pace.map_or(0, |pace| pace.slowest);
         let slowest = Span::from_micros(u64::try_from(slowest).unwrap_or(0)).min(LONGEST_HOLD) + MARGIN;
-        let mut alike = self.like(sample.at, sample.bytes).peekable();
-        let is_new = alike.peek().is_none();
-        let other = alike.any(|old| old.answered.as_ref() != Some(sample.question));
+        let is_new = !self.is_copy(sample.at, sample.bytes);
+        let other = self.is_anothers(sample.at, sample.bytes, sample.question);
         let late = pace.is_some_and(|pace| sample.after > pace.slowest + DAWDLE_US);
         let surplus = self.has_surplus(sample.station);
         match (is_new, surplus || doubtful || late) {

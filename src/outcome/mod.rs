@@ -46,7 +46,7 @@ pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 pub use procedure::{
     GivenValue, KeptStep, Lent, Procedure, ProcedureRecord, ProcedureStep, ProcedureTold, Procedures, StepFate,
 };
-pub use profibus::{Answers, BasicModule, LiveList, LiveStation, SlaveDiagnosis};
+pub use profibus::{Answers, BasicModule, LiveList, LiveStation, SlaveDiagnosis, StationChange, StationNews};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use report::{Form, Logo, Report, ReportedDrive};
 pub use stream::{

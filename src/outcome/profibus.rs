@@ -1,6 +1,6 @@
 //! What `profibus` says.
 
-use super::{ErrorDoc, Field, Value};
+use super::{Decimal, ErrorDoc, Field, Value};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -42,7 +42,7 @@ pub struct LiveList {
 }
 
 /// A station of a PROFIBUS line. What stands in Slave_Diag and Get_Cfg is told by slaves alone.
-#[derive(Debug, Default, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct LiveStation {
     /// Address, 0 to 125.
     pub address: u8,
@@ -77,8 +77,31 @@ pub struct LiveStation {
     pub error: Option<ErrorDoc>,
 }
 
+/// A station that came, went, or is otherwise than before: a line of `profibus live --follow`.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StationNews {
+    /// Seconds since the first question.
+    pub t: Decimal,
+    /// What became of it.
+    pub change: StationChange,
+    /// The station; of one that went what was told last.
+    pub station: LiveStation,
+}
+
+/// What became of a station.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StationChange {
+    /// It answers.
+    Came,
+    /// It tells something else.
+    Changed,
+    /// It does not answer any more.
+    Went,
+}
+
 /// How a station answers the same question (FDL status) many times over.
-#[derive(Debug, Default, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Answers {
     /// How often it was asked, repeats not counted.
     pub asked: u64,

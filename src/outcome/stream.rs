@@ -1,6 +1,6 @@
 //! What `monitor`, `sniff`, a search for settings and a run that is held tell as it comes.
 
-use super::{BusMonitor, Decimal, ErrorDoc, Fault, SearchNews, State, TelegramDoc, Value, Warning};
+use super::{BusMonitor, Decimal, ErrorDoc, Fault, SearchNews, State, StationNews, TelegramDoc, Value, Warning};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -27,6 +27,8 @@ pub enum Record {
     Telegram(TelegramDoc),
     /// What `sniff` has counted so far.
     Statistics(SniffCount),
+    /// A station of a PROFIBUS line that came, went, or is otherwise than before.
+    Station(Box<StationNews>),
     /// How far a search for settings has come; what it found stands in the rows behind.
     Search(SearchNews),
     /// How it ended; the last line.

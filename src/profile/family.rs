@@ -1,7 +1,7 @@
 //! One drive as its catalogues describe it, and decoding by it.
 
 use super::files::FileRules;
-use super::link::Link;
+use super::link::{Link, Route};
 use super::machine::StateMachine;
 use super::motion::{Mode, MotionRules};
 use super::names::{fold, near, same, starts};
@@ -136,6 +136,30 @@ impl Family {
     /// The row of a number.
     pub fn param(&self, id: u32) -> Option<&Param> {
         self.params.get(&id)
+    }
+
+    /// The same parameter in the second set of an inverter, where it has one: F202 beside F002 (SJ2-PB manual 5.5).
+    pub fn in_second_set(&self, param: &Param) -> Option<&Param> {
+        if self.link.route != Route::Pkw {
+            return None;
+        }
+        let short = param.short.as_deref()?;
+        let (function, number) = short.split_at_checked(1)?;
+        let second = format!("{function}2{}", number.strip_prefix('0')?);
+        self.params.values().find(|param| param.short.as_deref() == Some(second.as_str()))
+    }
+
+    /// Whether parameters can stand in it more than once.
+    pub fn has_sets(&self) -> bool {
+        self.link.route.has_data_sets() || self.params.values().any(|param| self.in_second_set(param).is_some())
+    }
+
+    /// An element of an array as it is typed: `915.1`.
+    pub fn element(&self, text: &str) -> Option<Param> {
+        let (number, element) = text.split_once('.')?;
+        let array = self.param(number.parse().ok()?)?;
+        let element = element.parse().ok().filter(|element| (1..=array.elements.unwrap_or(0)).contains(element))?;
+        Some(array.of_element(element))
     }
 
     /// The row of a number, or a row that says that nobody knows it.

@@ -184,6 +184,8 @@ pub struct Param {
     pub unit: Option<String>,
     /// Data type, where a source tells it.
     pub kind: Option<Type>,
+    /// Of an array, how many elements it has; they count from 1.
+    pub elements: Option<u8>,
     /// Decimals of the value, where a source tells them.
     pub decimals: Option<u8>,
     /// Lower limit, raw.
@@ -224,6 +226,9 @@ pub struct Param {
     pub origin: String,
 }
 
+/// Where the element of an array stands in an id.
+const ELEMENT: u32 = 24;
+
 /// The slug of a parameter without a name.
 fn nameless(id: u32) -> String {
     format!("parameter-{id}")
@@ -249,6 +254,7 @@ impl Param {
             name: Text { en: format!("Parameter {id}").into(), de: format!("Parameter {id}").into() },
             unit: None,
             kind: None,
+            elements: None,
             decimals: None,
             min: None,
             max: None,
@@ -277,11 +283,36 @@ impl Param {
         [self.slug.as_str(), en, de].into_iter().chain(self.short.as_deref())
     }
 
+    /// An element of this array, from 1. It is a parameter of its own: its id is that of the array with the element above every number that
+    /// a telegram or a register can have.
+    #[must_use]
+    pub fn of_element(&self, element: u8) -> Param {
+        let name = both!("{name} {element}", "{name} {element}", name = self.name);
+        let slug = format!("{}-{element}", self.slug);
+        Param { id: self.id | u32::from(element) << ELEMENT, slug, name, elements: None, ..self.clone() }
+    }
+
+    /// The number that it has: of an element that of its array.
+    pub fn number(&self) -> u32 {
+        self.id & ((1 << ELEMENT) - 1)
+    }
+
+    /// Which element of an array it is, if it is one.
+    pub fn element(&self) -> Option<u8> {
+        u8::try_from(self.id >> ELEMENT).ok().filter(|element| *element > 0)
+    }
+
+    /// How a file names it: `372`, `915.1`.
+    pub fn key(&self) -> String {
+        let number = self.number();
+        self.element().map_or_else(|| number.to_string(), |element| format!("{number}.{element}"))
+    }
+
     /// What it is called in messages: `P.413`, or with the maker's short name `MBnode_guard (5644)`.
     pub fn label(&self) -> String {
         match &self.short {
-            Some(short) => format!("{short} ({})", self.id),
-            None => format!("P.{}", self.id),
+            Some(short) => format!("{short} ({})", self.key()),
+            None => format!("P.{}", self.key()),
         }
     }
 

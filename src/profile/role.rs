@@ -128,7 +128,7 @@ mod tests {
             assert_eq!(Role::of(role.name()), Some(role));
             // Of the voltage of the DC link no manual that we have names the number: catalogues of users do.
             let is_theirs = role == Role::DcLinkVoltage;
-            assert!(is_theirs || registry.families().iter().any(|family| family.role(role).is_some()), "{role}");
+            assert!(is_theirs || registry.families().any(|family| family.role(role).is_some()), "{role}");
         }
         assert_eq!(Role::of("actual-sped"), None);
     }

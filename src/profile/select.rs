@@ -243,7 +243,10 @@ impl Selector {
                     known
                 }
             }
-            Who::Name(name) => vec![select(family.find(name)?.clone())],
+            Who::Name(name) => match family.element(name) {
+                Some(element) => vec![select(element)],
+                None => vec![select(family.find(name)?.clone())],
+            },
             Who::Group(name) => {
                 let unknown = || SelectError::Group {
                     name: name.clone(),

@@ -27,6 +27,8 @@ pub enum Protocol {
     /// Parameters over the system bus, which is CAN: frames, and no characters (EM-RES-03 manual 5.10), over one of the two channels of
     /// every drive (5.9.4).
     Sdo(SdoChannel),
+    /// Parameters of one slave of PROFIBUS-DP, over the PKW block of its cyclic data, which somebody else exchanges (SJ2-PB manual 4.1).
+    Pkw,
 }
 
 impl Protocol {
@@ -48,6 +50,7 @@ impl Protocol {
             Protocol::Vabus => "vabus",
             Protocol::Sdo(SdoChannel::Two) => "sdo",
             Protocol::Sdo(SdoChannel::One) => "sdo1",
+            Protocol::Pkw => "dp",
         }
     }
 
@@ -58,6 +61,8 @@ impl Protocol {
             // VABus uses the same seven bits (sources A1).
             Protocol::Modbus(Framing::Ascii) | Protocol::Vabus => LineSetting::ascii(baud, parity),
             Protocol::Sdo(_) => LineSetting::can(baud),
+            // PROFIBUS is always 8E1 (IEC 61158-4-3).
+            Protocol::Pkw => LineSetting::rtu(baud, Parity::Even),
         }
     }
 }

@@ -14,6 +14,7 @@ mod clock;
 mod door;
 mod error;
 mod ioctl;
+mod mailbox;
 mod net;
 mod port;
 mod ports;
@@ -29,6 +30,7 @@ mod tty;
 pub use adapter::{AdapterInfo, ErrorCounts, LowLatency};
 pub use between::{Ailing, Between};
 pub use error::LinkError;
+pub use mailbox::Mailbox;
 pub use port::{Endpoint, Port};
 pub use ports::{PortInfo, list_ports};
 pub use rs485::{Rs485, Rs485Mode};
@@ -67,6 +69,7 @@ enum Carrier {
     Can(Box<can::CanLink>),
     Tape(Box<tape::TapeLink>),
     Sim(Box<sim::SimLink>),
+    Beside(Mailbox),
 }
 
 /// Whether a port can be talked through.
@@ -113,6 +116,7 @@ impl Link {
             #[cfg(not(target_os = "linux"))]
             Port::Can(_) => return Err(LinkError::NotFound(port.to_string())),
             Port::Tape(file) => Carrier::Tape(Box::new(tape::TapeLink::open(file, line)?)),
+            Port::Beside(mailbox) => Carrier::Beside(mailbox.clone()),
             Port::Sim(_) => return Err(LinkError::NotFound(port.to_string())),
         };
         Ok(Link::of(carrier))
@@ -152,7 +156,7 @@ impl Link {
             #[cfg(target_os = "linux")]
             Carrier::Can(link) => link.push(bytes),
             Carrier::Sim(link) => link.send(bytes).is_ok(),
-            Carrier::Tape(_) => false,
+            Carrier::Tape(_) | Carrier::Beside(_) => false,
         };
         if let Some(trace) = self.trace.as_mut().filter(|_| is_out) {
             trace.sent(at, bytes);
@@ -187,6 +191,7 @@ impl Link {
             #[cfg(target_os = "linux")]
             Carrier::Can(link) => link.reopen(),
             Carrier::Tape(_) => Ok(()),
+            Carrier::Beside(mailbox) => Err(LinkError::Lost(mailbox.name().to_owned())),
             Carrier::Sim(link) => {
                 link.reopen();
                 Ok(())
@@ -207,6 +212,7 @@ impl Link {
     pub fn can_set_line(&self) -> bool {
         match &self.carrier {
             Carrier::Net(link) => link.can_set_line(),
+            Carrier::Beside(_) => false,
             _ => true,
         }
     }
@@ -252,6 +258,7 @@ impl Link {
             Carrier::Can(link) => named(link.name()),
             Carrier::Tape(_) => named("tape"),
             Carrier::Sim(_) => named("sim"),
+            Carrier::Beside(mailbox) => named(mailbox.name()),
         }
     }
 
@@ -271,7 +278,7 @@ impl Link {
     /// Whether its time only goes on by waiting on it, and takes none then.
     pub fn stands_still(&self) -> bool {
         match &self.carrier {
-            Carrier::Tape(_) => true,
+            Carrier::Tape(_) | Carrier::Beside(_) => true,
             Carrier::Sim(link) => !link.is_paced(),
             _ => false,
         }
@@ -286,6 +293,7 @@ impl Link {
             Carrier::Can(link) => link.now(),
             Carrier::Tape(link) => link.now(),
             Carrier::Sim(link) => link.now(),
+            Carrier::Beside(mailbox) => mailbox.now(),
         }
     }
 
@@ -302,6 +310,7 @@ impl Link {
             Carrier::Can(link) => link.send(bytes)?,
             Carrier::Tape(link) => link.send(bytes)?,
             Carrier::Sim(link) => link.send(bytes)?,
+            Carrier::Beside(mailbox) => mailbox.send(bytes)?,
         }
         if let Some(trace) = &mut self.trace {
             trace.sent(at, bytes);
@@ -343,6 +352,7 @@ impl Link {
             Carrier::Can(link) => link.wait(until).await?,
             Carrier::Tape(link) => link.wait(until),
             Carrier::Sim(link) => link.wait(until).await?,
+            Carrier::Beside(mailbox) => mailbox.wait(until).await?,
         };
         // Bytes that came while the thread slept are seen at the end of the wait, or a little later: not late, though.
         let at = self.now().min(until.max(begun));
@@ -360,7 +370,7 @@ impl Link {
             Carrier::Net(link) => link.outlast(until),
             #[cfg(target_os = "linux")]
             Carrier::Can(link) => link.outlast(until),
-            Carrier::Tape(_) | Carrier::Sim(_) => {}
+            Carrier::Tape(_) | Carrier::Sim(_) | Carrier::Beside(_) => {}
         }
     }
 

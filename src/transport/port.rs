@@ -1,5 +1,6 @@
 //! What `--port` names: a tty, a port on the network, a CAN adapter at one of these, a recording, or the built-in bench.
 
+use super::Mailbox;
 use crate::text::{Wrong, both};
 use std::fmt;
 use std::path::PathBuf;
@@ -24,6 +25,8 @@ pub enum Port {
     Tape(PathBuf),
     /// The built-in bench: the standard one, or one from a file.
     Sim(Option<PathBuf>),
+    /// Somebody beside us, who has a port of his own; nobody types that.
+    Beside(Mailbox),
 }
 
 /// A TCP port of a host.
@@ -94,6 +97,7 @@ impl fmt::Display for Port {
             Port::Tape(file) => write!(f, "tape:{}", file.display()),
             Port::Sim(None) => f.write_str("sim"),
             Port::Sim(Some(file)) => write!(f, "sim:{}", file.display()),
+            Port::Beside(mailbox) => write!(f, "{mailbox}"),
         }
     }
 }

@@ -173,7 +173,7 @@ impl Adversary {
         let station = self.dice.pick(&[1, 9]);
         match self.protocol {
             Protocol::Vabus => format!("\x04{}0000372\x05", char::from(b'@' + station)).into_bytes(),
-            Protocol::Sdo(_) => Vec::new(),
+            Protocol::Sdo(_) | Protocol::Pkw => Vec::new(),
             Protocol::Modbus(framing) => {
                 let read = Request::ReadRegisters { start: 0x2174, count: 1 }.encode();
                 let reply = Reply::Registers(vec![self.dice.below(65_536) as u16]).encode();

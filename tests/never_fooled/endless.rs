@@ -185,6 +185,7 @@ fn asks(protocol: Protocol, station: u8) -> Question {
             vabus::Request::Enquiry { address: Address::drive(station).unwrap(), header }.into()
         }
         Protocol::Sdo(_) => sdo::Request::Upload(sdo::Multiplexer { index: 411, sub: 0 }).into(),
+        Protocol::Pkw => unreachable!("a block of a slave goes over no line of characters"),
         Protocol::Modbus(_) => Request::ReadRegisters { start: 411, count: 1 }.into(),
     }
 }

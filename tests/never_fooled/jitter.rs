@@ -173,6 +173,7 @@ fn question(protocol: Protocol, round: u64) -> (u8, Question) {
             vabus::Request::Enquiry { address: Address::drive(station).unwrap(), header }.into()
         }
         Protocol::Sdo(_) => sdo::Request::Upload(sdo::Multiplexer { index: number, sub: 0 }).into(),
+        Protocol::Pkw => unreachable!("a block of a slave goes over no line of characters"),
         Protocol::Modbus(_) if number == 210 || number == 228 => Request::ReadLong { address: number }.into(),
         Protocol::Modbus(_) => Request::ReadRegisters { start: number, count: 1 }.into(),
     };

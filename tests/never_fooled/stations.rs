@@ -45,6 +45,7 @@ impl HostileLine {
                 vabus::Request::Enquiry { address: Address::drive(station).unwrap(), header }.into()
             }
             Protocol::Sdo(_) => sdo::Request::Upload(sdo::Multiplexer { index: number, sub: set }).into(),
+            Protocol::Pkw => unreachable!("a block of a slave goes over no line of characters"),
             Protocol::Modbus(_) => {
                 let address = ParamAddress::new(set, number).unwrap().word();
                 match long {
@@ -73,7 +74,7 @@ impl HostileLine {
                 Some((request.address().id(), request.into(), 0))
             }
             // Frames are cut out of what an adapter says before a conversation hears of them.
-            Protocol::Sdo(_) => None,
+            Protocol::Sdo(_) | Protocol::Pkw => None,
             Protocol::Modbus(Framing::Tcp) => {
                 let (number, adu) = mbap::decode(bytes).ok()?;
                 Some((adu.station, Request::decode(&adu.pdu).ok()?.into(), number))
@@ -145,7 +146,7 @@ impl HostileLine {
                 let address = Address::drive(address.id() + 1)?;
                 Some(vabus::Reply::Value { address, header, data }.encode())
             }
-            Protocol::Sdo(_) => None,
+            Protocol::Sdo(_) | Protocol::Pkw => None,
             Protocol::Modbus(Framing::Tcp) => {
                 let (number, adu) = mbap::decode(frame).ok()?;
                 Some(mbap::encode(number.wrapping_sub(1), adu.station, &adu.pdu))

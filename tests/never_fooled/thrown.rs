@@ -36,6 +36,18 @@ pub(crate) struct Score {
     pub(crate) found: Vec<String>,
 }
 
+impl Score {
+    /// What another trial came to as well.
+    pub(crate) fn add(&mut self, other: &Score) {
+        self.right += other.right;
+        self.wrong += other.wrong;
+        self.unread += other.unread;
+        self.twin += other.twin;
+        self.chance += other.chance;
+        self.seconds += other.seconds;
+    }
+}
+
 /// One way to set up the line.
 pub(crate) struct Manner {
     pub(crate) name: &'static str,

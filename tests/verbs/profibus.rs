@@ -2,6 +2,8 @@
 //! itself is asked.
 
 mod basic;
+mod configured;
+mod datasets;
 mod described;
 mod ends;
 mod heard;
@@ -9,6 +11,7 @@ mod keys;
 mod looked;
 mod rig;
 mod said;
+mod scanned;
 mod watched;
 
 use crate::run::antrieb;

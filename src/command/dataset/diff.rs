@@ -34,6 +34,11 @@ pub(super) struct Options {
 }
 
 impl Options {
+    /// Whether a drive is asked.
+    pub(super) fn is_live(&self) -> bool {
+        [&self.a, &self.b].iter().any(|which| matches!(which, Which::Set(..) | Which::Drive(_)))
+    }
+
     /// Two data sets of one drive, if that is what is compared.
     pub(super) fn sets(&self) -> Option<[(u8, Store); 2]> {
         match (&self.a, &self.b) {
@@ -66,7 +71,7 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         }
         false => vec![None],
     };
-    let is_live = sides.iter().any(|which| matches!(which, Which::Set(..) | Which::Drive(_)));
+    let is_live = options.is_live();
     let Context { settings, registry, interrupt, observe, .. } = context;
     let terms = terms(settings, registry)?;
     let mut session = match is_live {

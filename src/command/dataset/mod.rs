@@ -16,6 +16,7 @@ mod which;
 
 use super::again::one_of;
 use super::lines::OverLines;
+use super::profibus::{SlaveArgs, through};
 use super::verb::{Verb, Working};
 use super::{Context, name_one, running};
 use crate::args::Takes;
@@ -30,6 +31,8 @@ use clap::{Args as ClapArgs, Subcommand};
 pub struct Args {
     #[command(subcommand)]
     action: Action,
+    #[command(flatten)]
+    slave: SlaveArgs,
 }
 
 #[derive(Clone, Debug, Subcommand)]
@@ -61,6 +64,7 @@ impl Verb for Args {
     const NAME: &'static str = "dataset";
     const TAKES: Takes = Takes::WRITES;
     const SDO: bool = true;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 dataset show 372",
         "antrieb --port sim -a 1 dataset active",
@@ -74,6 +78,7 @@ impl Verb for Args {
         "antrieb --port sim -a 1 dataset load base.toml extra.toml --yes",
         "antrieb --port sim -a 1 dataset load base.toml --only motor,ramps --dry-run",
         "antrieb --port sim -a 1 dataset undo base.undo.toml --yes",
+        "antrieb --port sim --protocol dp -a 3 dataset save mixer.toml --yes",
     ];
     const UPPER: Upper = Upper::drive(30).each(48, "parameter");
     type Prints = Document<OrFile<OrLoad<Dataset>>>;
@@ -97,6 +102,20 @@ impl Verb for Args {
 
 /// Works on the data sets of drives, or on files.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let is_offline = matches!(&args.action, Action::Diff(options) if !options.is_live());
+    if !args.slave.is_meant(context.settings)? || is_offline {
+        return act(args, context).await;
+    }
+    let why = match &args.action {
+        Action::Load(_) | Action::Undo(_) | Action::Sets(sets::Action::Select { .. } | sets::Action::Copy { .. }) => {
+            both!("to write its parameters", "um ihre Parameter zu schreiben")
+        }
+        _ => both!("to read its parameters; nothing is written", "um ihre Parameter zu lesen; geschrieben wird nichts"),
+    };
+    through((&args.slave, &why), context, async |context: &mut Context<'_>| act(args, context).await).await
+}
+
+async fn act(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     match &args.action {
         Action::Save(options) => save::run(options, context).await,
         Action::Check(options) => check::run(options, context).await,

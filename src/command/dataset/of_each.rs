@@ -50,7 +50,9 @@ pub(super) async fn selection(
     target: &mut Target,
 ) -> Result<(Option<i64>, InForce), Failure> {
     let mut reader = Reader::new(session, target);
-    let active = reader.vital_role("active-set").await?.and_then(|value| value.raw);
+    // Of two sets the first has the number 0 on the wire (SJ2-PB manual 5.3).
+    let first = i64::from(!reader.target.family.link.route.has_data_sets());
+    let active = reader.vital_role("active-set").await?.and_then(|value| value.raw).map(|raw| raw + first);
     let selection = reader.in_force("set-selection").await?;
     // It is what the verb is about: a refusal is no answer.
     let refused = selection.value.is_none().then(|| reader.forgiven.pop()).flatten();

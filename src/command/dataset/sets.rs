@@ -11,7 +11,7 @@ use crate::drive::job::Step;
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Dataset, DatasetRow, Event, Outcome, Value, Warning, numbered};
-use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
+use crate::profile::{DataSets, Family, Param, Selector, Sets, Store, Type};
 use crate::text::both;
 use clap::Subcommand;
 
@@ -57,6 +57,40 @@ pub(super) enum Action {
 /// All four, as they are stored.
 const ALL: [(u8, Store); 4] = [(1, Store::Eeprom), (2, Store::Eeprom), (3, Store::Eeprom), (4, Store::Eeprom)];
 
+/// The sets of a drive: four, or the main and the second set of an inverter, whose parameters have numbers of their own.
+fn all(family: &Family) -> &'static [(u8, Store)] {
+    if family.link.route.has_data_sets() { &ALL } else { &ALL[..2] }
+}
+
+/// Refuses what the family has not: any sets, or this one, or a memory of its own for what is in force.
+fn check(family: &Family, sets: &[(u8, Store)]) -> Result<(), Failure> {
+    if !family.has_sets() {
+        return check_sets(family, DataSets::All(Store::Eeprom));
+    }
+    let Some((set, store)) = sets.iter().find(|set| !family.link.route.has_data_sets() && !all(family).contains(set))
+    else {
+        return Ok(());
+    };
+    let place = DataSets::One(*set, *store);
+    let message = both!(
+        "there is no set {place}: this inverter has 1 (main set) and 2 (second set)",
+        "einen Satz {place} gibt es nicht: dieser Umrichter hat 1 (Hauptparametersatz) und 2 (zweiter Parametersatz)"
+    );
+    Err(Failure::new(Class::Data, "data.no_data_sets", message))
+}
+
+/// What an action names of sets.
+fn named(action: &Action) -> Vec<(u8, Store)> {
+    match action {
+        Action::Diff { pair, .. } => pair.to_vec(),
+        Action::Copy { from, to, ram, .. } => {
+            vec![(*from, Store::Eeprom), (*to, if *ram { Store::Ram } else { Store::Eeprom })]
+        }
+        Action::Select { set, ram } => vec![(*set, if *ram { Store::Ram } else { Store::Eeprom })],
+        Action::Show { .. } | Action::Active => Vec::new(),
+    }
+}
+
 /// Works on the data sets of every drive that was named.
 pub(super) async fn run(action: &Action, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let writes = matches!(action, Action::Select { .. } | Action::Copy { .. });
@@ -70,6 +104,9 @@ pub(super) async fn run(action: &Action, context: &mut Context<'_>) -> Result<Ou
     if let Action::Show { params } | Action::Copy { params, .. } | Action::Diff { params, .. } = action {
         // Names are checked before the port is opened.
         let target = Target::new(0, offline_family(settings, registry)?);
+        if !target.family.link.route.has_data_sets() {
+            check(&target.family, &named(action))?;
+        }
         Work { target, terms: terms(settings, registry)? }.params(params)?;
     }
     if writes { change(action, context, addresses).await } else { look(action, context, addresses).await }
@@ -83,10 +120,13 @@ async fn look(action: &Action, context: &mut Context<'_>, addresses: Vec<u8>) ->
     for &address in &addresses {
         let of_one = async |session: &mut Session<'_>| {
             let target = target(session, settings, registry, address, false).await?;
-            check_sets(&target.family, DataSets::All(Store::Eeprom))?;
+            check(&target.family, &named(action))?;
             let mut work = Work { target, terms: terms(settings, registry)? };
             match action {
-                Action::Show { params } => work.show(session, params, &ALL).await,
+                Action::Show { params } => {
+                    let sets = all(&work.target.family);
+                    work.show(session, params, sets).await
+                }
                 Action::Diff { pair, params } => work.diff(session, *pair, params).await,
                 _ => work.report(session, Vec::new()).await,
             }
@@ -109,7 +149,7 @@ async fn change(action: &Action, context: &mut Context<'_>, addresses: Vec<u8>) 
     let mut planned = Vec::new();
     for &address in &addresses {
         let target = target_to_change(&mut session, settings, registry, address).await?;
-        check_sets(&target.family, DataSets::All(Store::Eeprom))?;
+        check(&target.family, &named(action))?;
         let mut work = Work { target, terms: terms(settings, registry)? };
         let (steps, warnings) = match action {
             Action::Copy { from, to, params, ram } => {
@@ -143,7 +183,7 @@ fn dry_run(action: &Action, context: &mut Context<'_>, addresses: &[u8]) -> Resu
     let target = Target::new(0, offline_family(settings, context.registry)?);
     let work = Work { target, terms: terms(settings, context.registry)? };
     let (params, sets): (_, &[(u8, Store)]) = match action {
-        Action::Show { params } => (params, &ALL),
+        Action::Show { params } => (params, all(&work.target.family)),
         Action::Diff { pair, params } => (params, pair),
         Action::Active => {
             let family = &work.target.family;
@@ -164,10 +204,17 @@ fn dry_run(action: &Action, context: &mut Context<'_>, addresses: &[u8]) -> Resu
             )));
         }
     };
-    let wire: Vec<u8> = sets.iter().flat_map(|&(set, store)| DataSets::One(set, store).wire()).collect();
+    if work.target.family.has_sets() {
+        check(&work.target.family, &named(action))?;
+    }
     let params = work.params(params)?;
-    let questions: Vec<_> =
-        params.iter().flat_map(|param| wire.iter().map(move |&set| read_question(param, set))).collect();
+    let of_one = |param: &Param| {
+        let places = sets.iter().map(|&(set, store)| work.in_set(param, set, store));
+        let each =
+            |(param, sets): (Param, DataSets)| sets.wire().into_iter().map(move |set| read_question(&param, set));
+        places.flat_map(each).collect::<Vec<_>>()
+    };
+    let questions: Vec<_> = params.iter().flat_map(of_one).collect();
     plan(context, &work.target.family, &questions)
 }
 
@@ -188,8 +235,12 @@ impl Work<'_> {
             )
         };
         let param = param.ok_or_else(missing)?;
-        let place = DataSets::One(0, if ram { Store::Ram } else { Store::Eeprom });
         let kind = param.kind;
+        if !self.target.family.link.route.has_data_sets() {
+            // The first of two sets has the number 0 on the wire (SJ2-PB manual 5.3).
+            return Ok(Step { param, set: 0, raw: i64::from(set) - 1, kind, at: None });
+        }
+        let place = DataSets::One(0, if ram { Store::Ram } else { Store::Eeprom });
         Ok(Step { param, set: place.wire().first().copied().unwrap_or(0), raw: set.into(), kind, at: None })
     }
 
@@ -197,7 +248,7 @@ impl Work<'_> {
     fn params(&self, texts: &[String]) -> Result<Vec<Param>, Failure> {
         let family = &self.target.family;
         if texts.is_empty() {
-            let four = family.params.values().filter(|param| param.sets == Some(Sets::Four) && param.access.reads());
+            let four = family.params.values().filter(|param| self.is_in_sets(param) && param.access.reads());
             return Ok(four.cloned().collect());
         }
         let mut params = Vec::new();
@@ -213,7 +264,10 @@ impl Work<'_> {
             }
             let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;
             // Of a group only what may exist in four sets; what was named one by one is asked whatever we know.
-            let fitting = selections.into_iter().filter(|one| !one.of_group || one.param.sets == Some(Sets::Four));
+            let fitting = selections.into_iter().filter(|one| match family.link.route.has_data_sets() {
+                true => !one.of_group || self.is_in_sets(&one.param),
+                false => self.is_in_sets(&one.param),
+            });
             params.extend(fitting.map(|selection| selection.param));
         }
         if params.is_empty() {
@@ -229,6 +283,20 @@ impl Work<'_> {
         Ok(params)
     }
 
+    /// Whether a parameter exists in every set, as far as is known.
+    fn is_in_sets(&self, param: &Param) -> bool {
+        param.sets == Some(Sets::Four) || self.target.family.in_second_set(param).is_some()
+    }
+
+    /// A parameter in one set: under its own number, or under that which it has in the second set of an inverter.
+    fn in_set(&self, param: &Param, set: u8, store: Store) -> (Param, DataSets) {
+        match self.target.family.in_second_set(param) {
+            Some(second) if set == 2 => (second.clone(), DataSets::Unnamed),
+            Some(_) => (param.clone(), DataSets::Unnamed),
+            None => (param.clone(), DataSets::One(set, store)),
+        }
+    }
+
     /// Reads parameters in some data sets; what the drive does not have in sets is left out and named.
     async fn rows(
         &mut self,
@@ -239,12 +307,22 @@ impl Work<'_> {
         let mut rows = Vec::new();
         let named = !texts.is_empty();
         let mut missing = Vec::new();
-        let params = self.params(texts)?;
+        let places = |param: Param| {
+            let in_sets: Vec<_> = sets.iter().map(|&(set, store)| (set, self.in_set(&param, set, store))).collect();
+            (param, in_sets)
+        };
+        let params: Vec<_> = self.params(texts)?.into_iter().map(places).collect();
         let mut reader = Reader::new(session, &mut self.target);
-        for param in params {
+        for (param, places) in params {
             let mut values = Vec::new();
-            for &(set, store) in sets {
-                values.extend(reader.rows(&param, DataSets::One(set, store)).await?);
+            for (set, (param, sets)) in places {
+                let read = reader.rows(&param, sets).await?;
+                // By its own number it is in no data set to the drive.
+                let is_apart = sets == DataSets::Unnamed;
+                values.extend(read.into_iter().map(|value| match is_apart {
+                    true => Value { data_set: set, ..value },
+                    false => value,
+                }));
             }
             if !named
                 && values.iter().all(|value| value.error.as_ref().is_some_and(|error| error.class == Class::Refused))
@@ -335,6 +413,19 @@ impl Work<'_> {
         Ok(Told { failure: told.failure.or(differ), ..told })
     }
 
+    /// What a parameter of one set of an inverter is called in the other.
+    fn counterpart(&self, param: Param, to: u8) -> Param {
+        let family = &self.target.family;
+        let other = match to {
+            2 => family.in_second_set(&param),
+            _ => family
+                .params
+                .values()
+                .find(|main| family.in_second_set(main).is_some_and(|second| second.id == param.id)),
+        };
+        other.cloned().unwrap_or(param)
+    }
+
     /// The writes that copy one data set into another.
     async fn copies(
         &mut self,
@@ -352,9 +443,14 @@ impl Work<'_> {
         let mut steps = Vec::new();
         for value in rows.iter().flat_map(|row| &row.values) {
             let param = self.target.family.param_or_unknown(value.param);
+            let apart = self.target.family.has_sets() && !self.target.family.link.route.has_data_sets();
+            let (param, set) = match apart {
+                true => (self.counterpart(param, to), 0),
+                false => (param, to),
+            };
             if let Some(raw) = value.raw.filter(|_| param.access.writes()) {
                 let kind = value.kind.and_then(|name| name.parse::<Type>().ok());
-                steps.push(Step { param, set: to, raw, kind, at: None });
+                steps.push(Step { param, set, raw, kind, at: None });
             }
         }
         Ok((steps, warnings))

@@ -135,7 +135,7 @@ fn target(options: &Options, wishes: &Wishes, context: &Context<'_>, found: &Imp
     let replace = options.replace;
     if !wishes.own {
         let family = offline_family(context.settings, context.registry)?;
-        let known = context.registry.families().into_iter().filter(|known| known.family == family.family).collect();
+        let known = context.registry.families().filter(|known| known.family == family.family).collect();
         return Ok(Target { family: family.family.clone(), known, own: None, replace });
     }
     let id = options.own.clone().unwrap_or_else(|| found.own.id.clone());

@@ -34,7 +34,7 @@ pub(in crate::command) async fn diag(
     let permit = asking::off_line(interrupt, *ask, &question(address, &why, choice.spoken)).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
     let before = profibus::slave_diag(&mut line, address).await?;
-    let taking = whom.taking(&mut line, choice, (WATCHDOG, false)).await?;
+    let taking = whom.taking(&mut line, choice, (WATCHDOG, false), &permit).await?;
     let mut found = SlaveDiagnosis { diagnosis: before, ..SlaveDiagnosis::default() };
     let mut report = Diagnosis { address, drive: whom.presumed.drive.clone(), ..blank };
     let exchange = Exchange::new(&mut line, address, taking, &permit);
@@ -57,7 +57,7 @@ async fn looks(
     let done = async {
         let family = exchange.family(named, registry).await?;
         report.drive.clone_from(&family.drive);
-        if !exchange.mode().is_basic() {
+        if exchange.mode().has_pkw() {
             let known = |id: &u32| family.params.contains_key(id);
             for id in [STATUS].into_iter().chain(profibus::LOOKED_AT).filter(known) {
                 exchange.value(&family, &(family.param_or_unknown(id), None), &mut haul).await?;

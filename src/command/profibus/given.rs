@@ -2,6 +2,7 @@
 
 use crate::args::{Settings, parse_span};
 use crate::command::selecting::select_failure;
+use crate::drive::decode::dp::Cyclic;
 use crate::drive::profibus;
 use crate::failure::{Class, Failure};
 use crate::profile::{Family, Param, Selector};
@@ -22,6 +23,12 @@ pub struct SlaveArgs {
     /// User parameters of Set_Prm (hex), if the GSD wants any
     #[arg(long, value_name = "HEX", hide_short_help = true, help_heading = "PROFIBUS")]
     pub user_prm: Option<UserPrm>,
+    /// Its configuration: basic, ppo1 to ppo5, or hex
+    ///
+    /// What Chk_Cfg says, and so how the slave is led. Without it Get_Cfg or --mode decide between the Basic block and PPO1. PPO2, PPO4 and
+    /// PPO5 have further words: nothing may be mapped to those that are written (P.915), which is looked at first. PPO3 and PPO4 tell no parameters.
+    #[arg(long, value_name = "CFG", hide_short_help = true, help_heading = "PROFIBUS")]
+    pub cfg: Option<Cyclic>,
     /// How soon an answer begins [default: 30ms or 8ms]
     ///
     /// 8 ms hold from 93750 Bd on. An adapter that holds bytes back needs more.
@@ -32,13 +39,13 @@ pub struct SlaveArgs {
 impl SlaveArgs {
     /// Whether a slave is meant: PROFIBUS is spoken. Fails if only the options say so.
     pub(in crate::command) fn is_meant(&self, settings: &Settings) -> Result<bool, Failure> {
-        let is_given = self.gsd.is_some() || self.user_prm.is_some() || self.slot_time.is_some();
+        let is_given = self.gsd.is_some() || self.user_prm.is_some() || self.slot_time.is_some() || self.cfg.is_some();
         if settings.profibus || !is_given {
             return Ok(settings.profibus);
         }
         let message = both!(
-            "--gsd, --user-prm and --slot-time mean something on PROFIBUS alone",
-            "--gsd, --user-prm und --slot-time bedeuten nur am PROFIBUS etwas"
+            "--gsd, --user-prm, --cfg and --slot-time mean something on PROFIBUS alone",
+            "--gsd, --user-prm, --cfg und --slot-time bedeuten nur am PROFIBUS etwas"
         );
         Err(Failure::new(Class::Usage, "usage.profibus", message)
             .hint(both!("add --protocol dp, or leave them out", "--protocol dp angeben oder sie weglassen")))
@@ -74,15 +81,6 @@ pub(super) fn element(text: &str) -> (&str, Option<u8>) {
     element.map_or((text, None), |(number, element)| (number, Some(element)))
 }
 
-/// How many elements an array has (SJ2-PB manual 5.1); `None` of what is none.
-pub(super) fn elements(id: u32) -> Option<u8> {
-    match id {
-        915 | 916 => Some(8),
-        964 => Some(5),
-        _ => None,
-    }
-}
-
 /// Parameters to read, each with its element; an array without one is all of its elements.
 pub(super) fn params(typed: &[String], family: &Family) -> Result<Vec<(Param, Option<u8>)>, Failure> {
     let mut params = Vec::new();
@@ -96,7 +94,7 @@ pub(super) fn params(typed: &[String], family: &Family) -> Result<Vec<(Param, Op
             if !param.access.reads() {
                 continue;
             }
-            match elements(param.id).filter(|_| element.is_none()) {
+            match param.elements.filter(|_| element.is_none()) {
                 // An array has no value as a whole.
                 Some(count) => params.extend((1..=count).map(|element| (param.clone(), Some(element)))),
                 None => params.push((param, element)),

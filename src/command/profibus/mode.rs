@@ -4,6 +4,7 @@ use super::spoken::{Choice, Spoken};
 use super::taking::Whom;
 use crate::drive::profibus::{self, Course, Line, Mode, Taking, WATCHDOG, configured};
 use crate::failure::{Class, Failure};
+use crate::gate::{Motion, Permit};
 use crate::outcome::{Data, Event, Outcome, Plan};
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -12,6 +13,8 @@ impl Whom<'_> {
     /// Refuses what needs no slave to be known as wrong.
     pub(super) fn knows(&self, choice: Choice) -> Result<(), Failure> {
         match choice.spoken {
+            _ if self.slave.cfg.is_some() && self.contradicts(choice) => Err(contradicts()),
+            None if self.slave.cfg.is_some() => self.is_leadable(self.planned(choice)),
             Some(Spoken::Basic) if self.gsd.is_none() => self.block().map(|_| ()).ok_or_else(no_series),
             Some(Spoken::Profidrive) if choice.ramps.is_some() => Err(no_ramps()),
             Some(spoken) => self.taken(mode(choice, spoken == Spoken::Basic), WATCHDOG).map(|_| ()),
@@ -25,22 +28,59 @@ impl Whom<'_> {
         line: &mut Line<'_>,
         choice: Choice,
         (watchdog, is_stop): (Span, bool),
+        permit: &Permit<Motion>,
     ) -> Result<Taking, Failure> {
+        let planned = self.planned(choice);
         let (is_basic, why) = match choice.spoken {
+            _ if self.slave.cfg.is_some() => (planned.is_basic(), Text::name("--cfg")),
             Some(spoken) => (spoken == Spoken::Basic, Text::name("--mode")),
             None => told(configured(line, self.address, is_stop).await?, self.gsd.is_some() || self.block().is_some()),
         };
         if !is_basic && choice.ramps.is_some() {
             return Err(no_ramps());
         }
-        let (address, name) = (self.address, if is_basic { "Basic" } else { "ProfiDrive (PPO1)" });
+        let mode = match self.slave.cfg {
+            // A stop needs no further words, and waits for no look at what is mapped to them.
+            Some(_) if is_stop && planned.further() > 0 => Mode::PPO1,
+            Some(_) => planned,
+            None => mode(choice, is_basic),
+        };
+        let address = self.address;
+        let name = if is_basic { mode.name() } else { format!("ProfiDrive ({})", mode.name()) };
         line.tell(Event::Note(both!(
             "station {address}: mode {name}: {why}",
             "Station {address}: Modus {name}: {why}",
             why
         )));
-        self.taken(mode(choice, is_basic), watchdog)
+        if mode.further() > 0 {
+            let first = self.taken(Mode::PPO1, watchdog)?;
+            profibus::unmapped(line, self.address, (first, mode.further()), permit).await?;
+        }
+        self.taken(mode, watchdog)
     }
+
+    /// The mode for a plan, where no slave is asked.
+    pub(super) fn planned(&self, choice: Choice) -> Mode {
+        let ramps = choice.ramps.unwrap_or_default();
+        self.slave.cfg.map_or_else(|| mode(choice, choice.spoken == Some(Spoken::Basic)), |cfg| Mode::of(cfg, ramps))
+    }
+
+    fn contradicts(&self, choice: Choice) -> bool {
+        choice.spoken.is_some_and(|spoken| self.planned(choice).is_basic() != (spoken == Spoken::Basic))
+    }
+
+    /// Whether all is known that a configuration needs.
+    fn is_leadable(&self, mode: Mode) -> Result<(), Failure> {
+        if mode.is_basic() && self.gsd.is_none() {
+            return self.block().map(|_| ()).ok_or_else(no_series);
+        }
+        self.taken(mode, WATCHDOG).map(|_| ())
+    }
+}
+
+fn contradicts() -> Failure {
+    let message = both!("--mode and --cfg name different modes", "--mode und --cfg nennen verschiedene Modi");
+    Failure::new(Class::Usage, "usage.cfg", message)
 }
 
 /// Whether Get_Cfg has told the Basic block, and it may be taken.
@@ -82,7 +122,7 @@ fn no_ramps() -> Failure {
 
 /// The plan of a slave that is only held while it is looked at.
 pub(super) fn held(whom: &Whom<'_>, choice: Choice) -> Outcome {
-    let (address, mode) = (whom.address, planned(choice));
+    let (address, mode) = (whom.address, whom.planned(choice));
     let words = profibus::words(Course::Stop(false), mode).into_iter();
     let telegrams = words.map(|words| profibus::cyclic(address, words, mode, &whom.presumed)).collect();
     let notes = vec![both!(
@@ -93,11 +133,6 @@ pub(super) fn held(whom: &Whom<'_>, choice: Choice) -> Outcome {
     Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes }))
 }
 
-/// The mode for a plan, where no slave is asked.
-pub(super) fn planned(choice: Choice) -> Mode {
-    mode(choice, choice.spoken == Some(Spoken::Basic))
-}
-
 fn mode(choice: Choice, is_basic: bool) -> Mode {
-    if is_basic { Mode::Basic(choice.ramps.unwrap_or_default()) } else { Mode::Profidrive }
+    if is_basic { Mode::Basic(choice.ramps.unwrap_or_default()) } else { Mode::PPO1 }
 }

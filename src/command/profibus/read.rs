@@ -17,6 +17,7 @@ pub(in crate::command) async fn read(
     context: &mut Context<'_>,
 ) -> Result<Outcome, Failure> {
     let whom = whom(slave, context)?;
+    whom.with_pkw()?;
     let (address, count) = (whom.address, params(typed, &whom.presumed)?.len());
     if context.settings.dry_run {
         let notes = vec![both!(

@@ -2,7 +2,6 @@
 //! the Basic block, and every end is the same: the stop word until the frequency is 0, then zero outputs, Clear, Unlock.
 
 use super::job::{Action, Job, spoken};
-use super::mode::planned;
 use super::open;
 use super::spoken::usage;
 use super::taking::{Whom, question, whom};
@@ -59,7 +58,7 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
         line.pace();
     }
     let taking = whom
-        .taking(&mut line, job.choice, (watchdog, job.is_stop()))
+        .taking(&mut line, job.choice, (watchdog, job.is_stop()), &permit)
         .await
         .and_then(|taking| knows(job, taking.mode).map(|()| taking));
     let taking = taking.map_err(|failure| if job.is_stop() { unsent(failure) } else { failure })?;
@@ -189,7 +188,7 @@ fn asks(
     let (address, setpoint) = (whom.address, spoken(wanted));
     let mut details: Vec<Text> = told.parting.clone().into_iter().collect();
     details.extend(match mode {
-        Mode::Profidrive => by_profidrive(wanted, rights, lending),
+        Mode::Profidrive(_) => by_profidrive(wanted, rights, lending),
         Mode::Basic(ramps) => by_basic(ramps),
     });
     details.extend(job.until.clone());
@@ -286,11 +285,18 @@ fn knows(job: &Job<'_>, mode: Mode) -> Result<(), Failure> {
             )));
         }
     }
+    if !mode.is_basic() && !mode.has_pkw() && !job.is_stop() {
+        let name = mode.name();
+        return Err(usage(both!(
+            "{name} has no PKW: who controls (P.928), and what a lost master means (P.703), could not be read",
+            "{name} hat kein PKW: wer steuert (P.928) und was ein verlorener Master bedeutet (P.703), ließe sich nicht lesen"
+        )));
+    }
     Ok(())
 }
 
 fn dry_run(job: &Job<'_>, whom: &Whom<'_>) -> Plan {
-    let (address, mode) = (whom.address, planned(job.choice));
+    let (address, mode) = (whom.address, whom.planned(job.choice));
     let coasts = job.stop(mode) == "coast";
     let words = profibus::words(
         match job.action {
@@ -301,7 +307,7 @@ fn dry_run(job: &Job<'_>, whom: &Whom<'_>) -> Plan {
         mode,
     );
     let telegrams = words.iter().map(|words| profibus::cyclic(address, *words, mode, &whom.presumed)).collect();
-    let configured = if mode.is_basic() { "Basic" } else { "PPO1" };
+    let configured = mode.name();
     let mut notes = vec![both!(
         "station {address} is taken (Set_Prm with a watchdog, {configured}); these words follow one another; then zero outputs, Clear, \
          Unlock",

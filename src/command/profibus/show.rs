@@ -34,13 +34,13 @@ pub(in crate::command) async fn show(
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let permit = asking::off_line(interrupt, *ask, &question(address, &why, choice.spoken)).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
-    let taking = whom.taking(&mut line, choice, (WATCHDOG, false)).await?;
-    let is_basic = taking.mode.is_basic();
+    let taking = whom.taking(&mut line, choice, (WATCHDOG, false), &permit).await?;
+    let has_pkw = taking.mode.has_pkw();
     let mut exchange = Exchange::new(&mut line, address, taking, &permit);
     let (mut haul, mut family) = (Haul::default(), whom.presumed.clone());
     let done = async {
         family = exchange.family(whom.named.clone(), registry).await?;
-        for id in [STATUS, RIGHT].into_iter().filter(|_| !is_basic) {
+        for id in [STATUS, RIGHT].into_iter().filter(|_| has_pkw) {
             exchange.value(&family, &(family.param_or_unknown(id), None), &mut haul).await?;
         }
         exchange.parting(&family).await

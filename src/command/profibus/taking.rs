@@ -2,7 +2,7 @@
 
 use super::addresses;
 use super::given::SlaveArgs;
-use super::spoken::Spoken;
+use super::spoken::{Choice, Spoken};
 use crate::command::{Context, named_family};
 use crate::drive::profibus::{Exchange, Gsd, Line, Mode, Taking, WATCHDOG, basic_block, described, of_gsd};
 use crate::failure::{Class, Failure};
@@ -44,7 +44,18 @@ impl Whom<'_> {
         line: &'l mut Line<'a>,
         permit: &Permit<Motion>,
     ) -> Result<Exchange<'l, 'a>, Failure> {
-        Ok(Exchange::new(line, self.address, self.taken(Mode::Profidrive, WATCHDOG)?, permit))
+        Ok(Exchange::new(line, self.address, self.taken(self.with_pkw()?, WATCHDOG)?, permit))
+    }
+
+    /// The mode for its parameters: PPO1, or what was named and has them. Further words are no use for that, and may be mapped.
+    pub(super) fn with_pkw(&self) -> Result<Mode, Failure> {
+        let mode = self.planned(Choice::default());
+        if mode.has_pkw() && mode.further() == 0 {
+            return Ok(mode);
+        }
+        let message = both!("parameters go by PKW, in PPO1", "Parameter gehen über PKW, in PPO1");
+        Err(Failure::new(Class::Usage, "usage.cfg", message)
+            .hint(both!("leave --cfg out, or --cfg ppo1", "--cfg weglassen, oder --cfg ppo1")))
     }
 
     /// How it is taken in a mode, with what its GSD says, or what was typed.
@@ -52,7 +63,7 @@ impl Whom<'_> {
         let user = match (&self.gsd, mode) {
             (Some(gsd), _) => of_gsd(gsd, mode, self.series().as_deref())?,
             (None, Mode::Basic(_)) => self.block().unwrap_or_default(),
-            (None, Mode::Profidrive) => self.slave.user(),
+            (None, Mode::Profidrive(_)) => self.slave.user(),
         };
         Ok(Taking { mode, user, watchdog, ident: self.gsd.as_ref().map(|gsd| gsd.ident) })
     }

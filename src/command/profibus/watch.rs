@@ -1,7 +1,7 @@
 //! A slave that is watched: taken, held by the stop word, let go again.
 
 use super::given::SlaveArgs;
-use super::mode::{held, planned};
+use super::mode::held;
 use super::open;
 use super::spoken::Choice;
 use super::taking::{question, whom};
@@ -30,18 +30,25 @@ pub(in crate::command) async fn watch(job: Watch<'_>, context: &mut Context<'_>)
     let whom = whom(slave, context)?;
     let address = whom.address;
     whom.knows(choice)?;
-    select(&by_words(&whom.presumed, planned(choice)))?;
+    select(&by_words(&whom.presumed, whom.planned(choice)))?;
     if context.settings.dry_run {
         return Ok(held(&whom, choice));
     }
-    let why = both!("to watch it; nothing is written", "um sie zu beobachten; geschrieben wird nichts");
+    let why = match whom.planned(choice).further() {
+        0 => both!("to watch it; nothing is written", "um sie zu beobachten; geschrieben wird nichts"),
+        count => both!(
+            "to watch it; P.916 is set for its time so that up to {count} parameters come with every cycle, and given back",
+            "um sie zu beobachten; P.916 wird für diese Zeit gesetzt, damit bis zu {count} Parameter mit jedem Zyklus kommen, und \
+             zurückgegeben"
+        ),
+    };
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let permit = asking::off_line(interrupt, *ask, &question(address, &why, choice.spoken)).await?;
     let mut line = open(slave.slot_time, (settings, registry), interrupt, *observe).await?;
     if is_paced {
         line.pace();
     }
-    let taking = whom.taking(&mut line, choice, (WATCHDOG, false)).await?;
+    let taking = whom.taking(&mut line, choice, (WATCHDOG, false), &permit).await?;
     let mut exchange = Exchange::new(&mut line, address, taking, &permit);
     let done = async {
         let family = exchange.family(whom.named.clone(), registry).await?;

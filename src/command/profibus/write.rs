@@ -1,6 +1,6 @@
 //! `write` with PROFIBUS spoken: parameters of an inverter over PKW, asked for and proven as everywhere.
 
-use super::given::{SlaveArgs, element, elements};
+use super::given::{SlaveArgs, element};
 use super::open;
 use super::spoken::Spoken;
 use super::taking::{question, whom};
@@ -38,6 +38,7 @@ pub(in crate::command) async fn write(
     context: &mut Context<'_>,
 ) -> Result<Outcome, Failure> {
     let whom = whom(slave, context)?;
+    whom.with_pkw()?;
     let (_, rows) = steps(wanted, &whom.presumed, whom.address)?;
     if context.settings.dry_run {
         return Ok(Outcome::of(Data::Write(Write { dry_run: true, values: rows })));
@@ -69,7 +70,7 @@ fn steps(wanted: &Wanted<'_>, family: &Rc<Family>, address: u8) -> Result<(Vec<S
     for (who, what) in &wanted.assignments {
         let (who, element) = element(who);
         for mut step in (wanted.assigned)(family, who, what)? {
-            if let (None, Some(count)) = (element, elements(step.param.id)) {
+            if let (None, Some(count)) = (element, step.param.elements) {
                 return Err(no_element(step.param.id, count));
             }
             let mapped = u32::try_from(step.raw).ok().and_then(|index| family.param(index));

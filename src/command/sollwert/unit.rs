@@ -39,7 +39,7 @@ pub(super) fn of_whom(failure: Failure, (is_named, typed): (bool, &str), registr
     {
         return failure;
     }
-    let families = registry.families().into_iter().filter(|family| !family.modes.is_empty());
+    let families = registry.families().filter(|family| !family.modes.is_empty());
     let told = families.map(|family| format!("{}: {}", family.drive, modes(&family))).collect::<Vec<_>>().join("; ");
     let message = match failure.code.as_str() {
         "usage.mode" => both!("no family has a mode '{typed}'", "keine Familie hat eine Betriebsart '{typed}'"),

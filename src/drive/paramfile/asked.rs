@@ -72,9 +72,13 @@ impl Wanted {
     }
 
     fn add(&mut self, param: Param) {
-        match reason(&param) {
-            Some(reason) => self.left.push((param.id, reason)),
-            None => self.asked.push(Asking::whole(param)),
+        match (reason(&param), param.elements) {
+            (Some(reason), _) => self.left.push((param.id, reason)),
+            (None, None) => self.asked.push(Asking::whole(param)),
+            // An array has no value as a whole.
+            (None, Some(count)) => {
+                self.asked.extend((1..=count).map(|element| Asking::whole(param.of_element(element))));
+            }
         }
     }
 }

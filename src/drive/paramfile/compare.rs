@@ -56,7 +56,7 @@ fn difference(param: &Param, set: u8, raws: [Option<i64>; 2], error: Option<Erro
     let [a, b] = raws;
     Difference {
         group: group(param, family),
-        param: param.id,
+        param: param.number(),
         slug: param.slug.clone(),
         name: param.name.clone(),
         data_set: set,

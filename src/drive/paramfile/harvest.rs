@@ -55,6 +55,12 @@ impl Harvest {
         self.end.is_none() && !self.not_held.keys().any(|reason| reason.is_open())
     }
 
+    /// Numbers of those that are not held, and why: of an element that of its array.
+    pub fn left(&self) -> impl Iterator<Item = (NotHeld, BTreeSet<u32>)> + '_ {
+        let number = |id: &u32| Param::unknown(*id).number();
+        self.not_held.iter().map(move |(&reason, ids)| (reason, ids.iter().map(number).collect()))
+    }
+
     /// What of this is still to be asked.
     pub fn is_open(&self, number: u32) -> bool {
         let read = self.settings.params().any(|param| param.id == number);

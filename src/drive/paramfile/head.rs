@@ -30,9 +30,9 @@ impl Draft {
 
     /// The text of the file with this harvest.
     pub fn text(&self, harvest: &Harvest) -> String {
-        let numbers = harvest.not_held.iter();
+        let numbers = harvest.left();
         let head = Head {
-            not_held: numbers.map(|(&reason, numbers)| (reason, ranges(numbers.iter().copied()))).collect(),
+            not_held: numbers.map(|(reason, numbers)| (reason, ranges(numbers))).collect(),
             types: harvest.types.clone(),
             saved: Provenance {
                 complete: harvest.is_complete(),
@@ -89,13 +89,13 @@ pub fn broken(fault: &FileFault) -> Failure {
 
 /// What a harvest does not hold, for people and scripts.
 pub fn left_out(harvest: &Harvest) -> Vec<LeftOut> {
-    let row = |(&reason, numbers): (&NotHeld, &std::collections::BTreeSet<u32>)| LeftOut {
+    let row = |(reason, numbers): (NotHeld, std::collections::BTreeSet<u32>)| LeftOut {
         reason: reason.name(),
         text: told(reason),
         count: numbers.len(),
-        params: ranges(numbers.iter().copied()),
+        params: ranges(numbers),
     };
-    harvest.not_held.iter().map(row).collect()
+    harvest.left().map(row).collect()
 }
 
 /// A reason in words.

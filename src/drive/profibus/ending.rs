@@ -19,6 +19,8 @@ use crate::tick::{Span, Tick};
 const STUCK: Span = Span::from_secs(10);
 /// So long at least the stop of a motor goes out where nobody is heard.
 pub(super) const INSISTED: Span = Span::from_secs(6);
+/// So long a slave that is ours is led to its first exchange, so that the stop word comes to it.
+const LED: Span = Span::from_secs(2);
 /// So long a motor is watched whose control was given back.
 const WATCHED: Span = Span::from_millis(500);
 /// The output frequency, 0.01 Hz (5.3).
@@ -85,10 +87,13 @@ impl Exchange<'_, '_> {
         (self.insists, self.ends) = (true, None);
         if self.ours {
             self.at_least = self.line.now() + INSISTED;
+            self.line.fdl.insist();
         }
     }
 
     async fn release(&mut self, is_still: bool) -> Result<(), Failure> {
+        // Outputs that were never ours are not set to zero either.
+        let is_still = is_still && self.seen.is_some();
         let handed = if is_still { self.hand_over().await? } else { Ok(()) };
         self.station.release(is_still && handed.is_ok());
         while self.cycle().await? != Cycle::Released {}
@@ -98,9 +103,6 @@ impl Exchange<'_, '_> {
     /// Outputs of zero. The inner failure: the terminals would have the motor turn, and the stop word stands instead.
     async fn hand_over(&mut self) -> Result<Result<(), Failure>, Failure> {
         let is_basic = self.mode().is_basic();
-        if is_basic && self.seen.is_none() {
-            return Ok(Ok(()));
-        }
         if is_basic && self.driven {
             return Ok(Err(trouble::kept_from_terminals(self.address())));
         }
@@ -118,8 +120,8 @@ impl Exchange<'_, '_> {
 
     /// Proves under the stop word that the output is off, by HIW and by P.614, where that is told.
     pub(super) async fn stop(&mut self) -> Result<(), Failure> {
-        // Whom no exchange was reached with, no word of ours moves.
-        if self.seen.is_none() {
+        if !self.is_reached().await {
+            self.notes.push(trouble::never_reached(self.address()));
             return Ok(());
         }
         let mut moved: (Option<i32>, Tick) = (None, self.line.now());
@@ -142,6 +144,14 @@ impl Exchange<'_, '_> {
         }
     }
 
+    /// Whether words of ours come to the slave. One that is ours since a moment ago may have a motor that turns from before, so it is led
+    /// to its first exchange.
+    async fn is_reached(&mut self) -> bool {
+        let until = self.line.now() + LED;
+        while self.seen.is_none() && self.line.now() < until && self.cycle().await.is_ok() {}
+        self.seen.is_some()
+    }
+
     /// Whether P.614 agrees. Where it is refused, HIW alone has told.
     async fn is_off(&mut self) -> Result<bool, Failure> {
         let told = self.read(FREQUENCY).await?;
@@ -150,7 +160,12 @@ impl Exchange<'_, '_> {
 
     /// Changes a parameter for the time of the exchange.
     pub(super) async fn lend(&mut self, index: u16, new: u16) -> Result<(), Failure> {
-        let place = Place { pnu: index, element: None };
+        self.lend_place(Place { pnu: index, element: None }, new).await
+    }
+
+    /// The same of an element.
+    pub(super) async fn lend_place(&mut self, place: Place, new: u16) -> Result<(), Failure> {
+        let index = place.pnu;
         let old = self.read(place).await??;
         let old = u16::try_from(old & 0xFFFF).unwrap_or_default();
         if old == new {
@@ -158,7 +173,7 @@ impl Exchange<'_, '_> {
         }
         // From here on it is to be given back, whatever becomes of it.
         let stays = index == RIGHT && !self.still.is_dark(self.line.now());
-        self.lent.push(Lent { index, old, new, restored: false, stays });
+        self.lent.push(Lent { place, old, new, restored: false, stays });
         self.set(place, new).await?;
         if index == LOST {
             self.behind = Some(new.into());
@@ -169,14 +184,13 @@ impl Exchange<'_, '_> {
     /// Gives back what was lent, the last of it first.
     async fn give_back(&mut self) -> Result<(), Failure> {
         for at in (0..self.lent.len()).rev() {
-            let Some(&Lent { index, old, new, stays, .. }) = self.lent.get(at) else { continue };
+            let Some(&Lent { place, old, new, stays, .. }) = self.lent.get(at) else { continue };
             if stays {
                 self.notes.push(trouble::right_stays());
                 continue;
             }
-            let place = Place { pnu: index, element: None };
             self.set(place, old).await?;
-            let starts = index == RIGHT && self.starts_by_itself().await?;
+            let starts = place.pnu == RIGHT && self.starts_by_itself().await?;
             if starts {
                 self.notes.push(trouble::right_again());
                 self.set(place, new).await?;
@@ -184,7 +198,10 @@ impl Exchange<'_, '_> {
             }
             self.lent.iter_mut().skip(at).take(1).for_each(|lent| lent.restored = !starts);
         }
-        Ok(())
+        match self.lent.iter().any(|lent| !lent.restored) {
+            true => Err(trouble::not_given_back(self.address(), self.behind)),
+            false => Ok(()),
+        }
     }
 
     /// Whether somebody else starts the motor as soon as he may.
@@ -218,8 +235,8 @@ fn is_turning(done: &Result<(), Failure>) -> bool {
 
 fn changed(lent: &Lent) -> Change {
     Change {
-        param: lent.index.into(),
-        name: format!("P.{}", lent.index),
+        param: lent.place.pnu.into(),
+        name: trouble::label(lent.place),
         data_set: 0,
         old: lent.old.into(),
         new: lent.new.into(),

@@ -8,7 +8,7 @@ use super::line::Line;
 use super::mode::{Mode, Seen, Words};
 use super::still::Still;
 use super::trouble;
-use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble};
+use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble, Unanswered};
 use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
 use crate::outcome::Event;
@@ -20,7 +20,7 @@ use std::pin::pin;
 /// A parameter that was changed for the time of the exchange.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lent {
-    pub(super) index: u16,
+    pub(super) place: Place,
     pub(super) old: u16,
     pub(super) new: u16,
     pub(super) restored: bool,
@@ -64,6 +64,9 @@ pub struct Exchange<'l, 'a> {
     pub(super) pkw: Pkw,
     /// What came last.
     pub(super) seen: Option<Seen>,
+    /// The further words that came with it, and what is mapped to them.
+    pub(super) more: Vec<u16>,
+    pub(super) mapped: Vec<u16>,
     pub(super) still: Still,
     heard: Tick,
     /// So long nothing may be heard of it.
@@ -110,6 +113,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
             words: mode.stop(),
             pkw: Pkw::default(),
             seen: None,
+            more: Vec::new(),
+            mapped: Vec::new(),
             still: Still::new(mode.slow()),
             heard: now,
             unheard: watchdog + BEYOND,
@@ -128,6 +133,11 @@ impl<'l, 'a> Exchange<'l, 'a> {
     /// Address of the slave.
     pub fn address(&self) -> u8 {
         self.address
+    }
+
+    /// The ident number that it told, once it was asked.
+    pub fn ident(&self) -> Option<u16> {
+        self.station.ident()
     }
 
     /// How it is led.
@@ -171,6 +181,10 @@ impl<'l, 'a> Exchange<'l, 'a> {
         match &cycle {
             Cycle::Left => {
                 self.left += 1;
+                // Led to its exchange anew, it finds no start word there.
+                if !self.still.coasts {
+                    self.words = self.mode.stop();
+                }
                 if self.left > MOST_LEFT {
                     return Err(self.failure(&Trouble::NotReady));
                 }
@@ -179,7 +193,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 if let Some((_, seen)) = self.mode.inputs(data) {
                     self.still.sees(now, seen);
                     self.driven |= !self.started && seen.is_driven();
-                    self.seen = Some(seen);
+                    (self.seen, self.more) = (Some(seen), self.mode.more(data));
                 }
             }
             Cycle::Prepared | Cycle::Released => {}
@@ -223,6 +237,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
                     let said = self.mode.inputs(&data);
                     said.and_then(|(said, _)| request.inputs(self.line.now(), said))
                 }
+                // A motor that was started stands, or does what its loss of us has it do: that ends its run.
+                Cycle::Left if self.started && !self.insists => return Err(trouble::left(self.address)),
                 // What was on its way may have come; it is not said twice.
                 Cycle::Left if request.writes() => Some(Told::Silence),
                 _ => None,
@@ -236,7 +252,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
 
     /// Reads a value: its bits, or why not. Nothing is asked in Basic mode, which has no PKW block.
     pub async fn read(&mut self, place: Place) -> Result<Result<u32, Failure>, Failure> {
-        if self.mode.is_basic() {
+        if !self.mode.has_pkw() {
             return Ok(Err(trouble::no_pkw(self.address)));
         }
         let told = self.request(Request::read(place, self.line.now())).await?;
@@ -286,6 +302,9 @@ impl<'l, 'a> Exchange<'l, 'a> {
 
     fn failure(&self, why: &Trouble) -> Failure {
         match why {
+            Trouble::Unanswered(Unanswered::OtherMaster(master)) if self.ours => {
+                trouble::other_master_beside(*master).with("address", self.address)
+            }
             Trouble::Unanswered(why) => trouble::unanswered(self.address, why),
             other => trouble::not_exchanging(self.address, other, self.mode),
         }

@@ -25,6 +25,9 @@ pub struct Line<'a> {
     interrupt: Interrupt,
     observe: &'a mut dyn FnMut(Event),
     verbose: bool,
+    /// As they were asked for.
+    slot: Option<Span>,
+    retries: Option<u8>,
 }
 
 impl std::fmt::Debug for Line<'_> {
@@ -61,19 +64,31 @@ impl<'a> Line<'a> {
         for deviation in link.deviations() {
             observe(Event::Note(both!("{port}: {deviation}", "{port}: {deviation}", deviation)));
         }
-        let usual = Timing::of(line);
-        let timing = Timing { slot: slot.unwrap_or(usual.slot), retries: retries.unwrap_or(usual.retries) };
-        let mut listening = Listening::new(link.now());
-        let heard = pump::run(&mut listening, &mut link, &interrupt, None).await;
-        let heard = heard.map_err(|error| AccessError::from(error).failure(0, None))?;
-        match heard {
-            Heard::Nobody => {}
-            Heard::Master(master) => return Err(trouble::other_master(master)),
-            Heard::Somebody => return Err(trouble::somebody(line)),
-        }
-        let fdl = Fdl::new(MASTER, line, timing, link.now());
+        let fdl = Fdl::new(MASTER, line, timing(line, slot, retries), link.now());
         let (name, setting) = (port.to_string(), line.to_string());
-        Ok(Line { name, setting, link, fdl, interrupt, observe, verbose })
+        let mut opened = Line { name, setting, link, fdl, interrupt, observe, verbose, slot, retries };
+        opened.listen(line).await?;
+        Ok(opened)
+    }
+
+    /// Listens whether somebody else asks. Fails if so: nothing was sent then.
+    async fn listen(&mut self, line: LineSetting) -> Result<(), Failure> {
+        let mut listening = Listening::new(self.link.now());
+        let heard = pump::run(&mut listening, &mut self.link, &self.interrupt, None).await;
+        match heard.map_err(|error| AccessError::from(error).failure(0, None))? {
+            Heard::Nobody => Ok(()),
+            Heard::Master(master) => Err(trouble::other_master(master)),
+            Heard::Somebody => Err(trouble::somebody(line)),
+        }
+    }
+
+    /// Another speed from now on. It is listened to first, as when a line is opened.
+    pub async fn retune(&mut self, baud: u32) -> Result<(), Failure> {
+        let line = LineSetting::rtu(baud, Parity::Even);
+        self.link.set_line(line).await.map_err(|error| trouble::link(&error))?;
+        self.setting = line.to_string();
+        self.fdl = Fdl::new(MASTER, line, timing(line, self.slot, self.retries), self.link.now());
+        self.listen(line).await
     }
 
     /// Port and setting.
@@ -87,7 +102,7 @@ impl<'a> Line<'a> {
     }
 
     /// The time of the line.
-    pub(super) fn now(&self) -> Tick {
+    pub fn now(&self) -> Tick {
         self.link.now()
     }
 
@@ -150,6 +165,12 @@ impl<'a> Line<'a> {
             records.iter().for_each(|record| (self.observe)(told(record)));
         }
     }
+}
+
+/// What was asked for, else what is usual at this speed.
+fn timing(line: LineSetting, slot: Option<Span>, retries: Option<u8>) -> Timing {
+    let usual = Timing::of(line);
+    Timing { slot: slot.unwrap_or(usual.slot), retries: retries.unwrap_or(usual.retries) }
 }
 
 fn told(record: &Record) -> Event {

@@ -15,7 +15,7 @@ use crate::protocol::dp::control::Station;
 use crate::protocol::dp::{Diagnosis, LAST_STATION, Service, diagnosis};
 use crate::protocol::modbus::Hex;
 use crate::text::both;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 
 /// Repeats of the question whether anybody is there: one more than none, so that a lost byte hides nobody.
 const REPEATS: u8 = 1;
@@ -35,12 +35,29 @@ pub fn questions(address: Option<u8>) -> Vec<TelegramDoc> {
     address.into_iter().flat_map(of).map(|bytes| reader.telegram(&bytes)).collect()
 }
 
+/// A round over a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Round<'r> {
+    /// Whom to ask.
+    pub addresses: &'r [u8],
+    /// Each station is asked so often how it is.
+    pub questions: u32,
+    /// The first station ends it.
+    pub until_first: bool,
+    /// So does this moment.
+    pub until: Option<Tick>,
+}
+
 /// Asks every address who is there, and the slaves what they are. Also what ended it early.
-pub async fn live(line: &mut Line<'_>, addresses: &[u8], questions: u32) -> (LiveList, Option<Failure>) {
+pub async fn live(line: &mut Line<'_>, round: Round<'_>) -> (LiveList, Option<Failure>) {
+    let Round { addresses, questions, until_first, until } = round;
     let (port, setting) = line.name();
     let mut list = LiveList { port, line: setting, asked: 0, addresses: addresses.len(), stations: Vec::new() };
     let total = addresses.len() as u64;
     for (done, &address) in (0..).zip(addresses) {
+        if until_first && !list.stations.is_empty() || until.is_some_and(|until| line.now() >= until) {
+            break;
+        }
         // Our own address is nobody's.
         let what = both!("address {address}", "Adresse {address}");
         line.tell(Event::Progress { done, total, what });
@@ -135,7 +152,7 @@ fn is_basic(cfg: &[u8]) -> bool {
 }
 
 /// What stands at an address, if anything does.
-async fn look(line: &mut Line<'_>, address: u8) -> Result<Option<LiveStation>, Failure> {
+pub(super) async fn look(line: &mut Line<'_>, address: u8) -> Result<Option<LiveStation>, Failure> {
     let mut found = LiveStation { address, ..LiveStation::default() };
     match line.ask(address, Asked::STATUS, Some(REPEATS)).await? {
         Ok(Reply::Frame { station: kind, .. }) => {

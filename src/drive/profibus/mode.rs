@@ -1,6 +1,7 @@
 //! The two ways in which a slave is led (SJ2-PB manual 2): the words of PROFIdrive behind a PKW block (4.1), and the four words of the
 //! Basic block (3.2), which has no parameters beside it.
 
+use crate::drive::decode::dp::Cyclic;
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::module::{Content, Module, Series};
 use crate::protocol::dp::pkw::{self, Pkw};
@@ -9,8 +10,9 @@ use crate::text::{Text, both};
 /// How a slave is led.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// STW and HSW, in PPO1.
-    Profidrive,
+    /// STW and HSW, in the PPO of this number. Three and four have no PKW block, and all but one and three further words, which P.915 and
+    /// P.916 say (4.1).
+    Profidrive(u8),
     /// The Basic block.
     Basic(Ramps),
 }
@@ -81,43 +83,70 @@ impl Mode {
         matches!(self, Mode::Basic(_))
     }
 
+    /// The way of what takes no other: PKW, STW and HSW.
+    pub const PPO1: Mode = Mode::Profidrive(1);
+
+    /// How a slave with these cyclic data is led.
+    pub fn of(Cyclic(layout): Cyclic, ramps: Ramps) -> Self {
+        match layout {
+            Layout::Basic => Mode::Basic(ramps),
+            Layout::Ppo(number) => Mode::Profidrive(number),
+        }
+    }
+
+    /// How it is called: `Basic`, `PPO1`.
+    pub fn name(self) -> String {
+        if self.is_basic() { "Basic".to_owned() } else { self.layout().name().to_uppercase() }
+    }
+
+    /// Whether parameters are told (4.1).
+    pub fn has_pkw(self) -> bool {
+        self.layout().has_pkw()
+    }
+
+    /// Words behind STW and HSW.
+    pub fn further(self) -> usize {
+        let block = if self.has_pkw() { pkw::LENGTH } else { 0 };
+        if self.is_basic() { 0 } else { (self.layout().length() - block) / 2 - 2 }
+    }
+
     /// What is configured.
     pub fn layout(self) -> Layout {
         match self {
-            Mode::Profidrive => Layout::Ppo(1),
+            Mode::Profidrive(number) => Layout::Ppo(number),
             Mode::Basic(_) => Layout::Basic,
         }
     }
 
-    const fn of(self, profidrive: u16, basic: u16) -> Words {
+    const fn either(self, profidrive: u16, basic: u16) -> Words {
         Words { stw: if matches!(self, Mode::Basic(_)) { basic } else { profidrive }, hsw: 0 }
     }
 
     /// No start, with control kept: OFF1 (4.1.2.1), or no run bit (3.2.2).
     pub(super) fn stop(self) -> Words {
-        self.of(0x047E, NET)
+        self.either(0x047E, NET)
     }
 
     /// Ready, without a start: bits 1 and 2 of STW alone, with control kept.
     pub(super) fn prepare(self) -> Words {
-        self.of(0x0406, NET)
+        self.either(0x0406, NET)
     }
 
     /// The edge that acknowledges a fault (bit 7 of both), with control kept and no start.
     pub(super) fn acknowledge(self) -> Words {
-        self.of(0x0486, NET | FAULTED)
+        self.either(0x0486, NET | FAULTED)
     }
 
     /// OFF3 besides: the motor coasts, or by the norm stops quickly. The Basic block has nothing that is stronger than its stop.
     pub(super) fn coast(self) -> Option<Words> {
-        (self == Mode::Profidrive).then_some(Words { stw: 0x047A, hsw: 0 })
+        (!self.is_basic()).then_some(Words { stw: 0x047A, hsw: 0 })
     }
 
     /// The start word for a signed setpoint (4.1.2.4; 3.2.2).
     pub(super) fn start(self, value: i64) -> u16 {
         let is_reverse = value < 0;
         match self {
-            Mode::Profidrive => 0x047F | if is_reverse { REVERSE } else { 0 },
+            Mode::Profidrive(_) => 0x047F | if is_reverse { REVERSE } else { 0 },
             Mode::Basic(_) => NET | if is_reverse { RUN_REV } else { RUN_FWD },
         }
     }
@@ -135,22 +164,26 @@ impl Mode {
     /// The outputs of a cycle. Outputs of zero are that, ramps too.
     pub(super) fn outputs(self, pkw: Pkw, Words { stw, hsw }: Words) -> Vec<u8> {
         let (block, ramps) = match self {
-            Mode::Profidrive => (pkw.encode().to_vec(), Vec::new()),
+            Mode::Profidrive(_) if !self.has_pkw() => (Vec::new(), Vec::new()),
+            Mode::Profidrive(_) => (pkw.encode().to_vec(), Vec::new()),
             Mode::Basic(_) if stw == 0 => (Vec::new(), vec![0; 2]),
             Mode::Basic(Ramps { up, down }) => (Vec::new(), vec![up, down]),
         };
         let words = [stw, hsw].into_iter().chain(ramps);
-        block.into_iter().chain(words.flat_map(u16::to_be_bytes)).collect()
+        let mut bytes: Vec<u8> = block.into_iter().chain(words.flat_map(u16::to_be_bytes)).collect();
+        // Nothing is mapped to the further words as long as they go out (`mapped`).
+        bytes.resize(self.layout().length(), 0);
+        bytes
     }
 
     /// What the inputs of a cycle tell, and the PKW block in front of it.
     pub(super) fn inputs(self, data: &[u8]) -> Option<(Pkw, Seen)> {
-        let pkw = data.first_chunk::<{ pkw::LENGTH }>().filter(|_| self == Mode::Profidrive);
+        let pkw = data.first_chunk::<{ pkw::LENGTH }>().filter(|_| self.has_pkw());
         let words = if pkw.is_some() { data.get(pkw::LENGTH..)? } else { data };
         let mut words = words.as_chunks().0.iter().map(|pair| u16::from_be_bytes(*pair));
         let (zsw, frequency) = (words.next()?, words.next()?);
         let seen = match self {
-            Mode::Profidrive => Seen { zsw, hiw: frequency.cast_signed().into(), state: None },
+            Mode::Profidrive(_) => Seen { zsw, hiw: frequency.cast_signed().into(), state: None },
             // The frequency has no sign there.
             Mode::Basic(_) => {
                 let sign = if zsw & (RUN_FWD | RUN_REV) == RUN_REV { -1 } else { 1 };
@@ -158,6 +191,13 @@ impl Mode {
             }
         };
         Some((pkw.map_or(Pkw::default(), Pkw::decode), seen))
+    }
+
+    /// The further words of the inputs, from PZD3 on.
+    pub(super) fn more(self, data: &[u8]) -> Vec<u16> {
+        let words = data.as_chunks().0.iter().map(|pair| u16::from_be_bytes(*pair));
+        let all: Vec<u16> = words.collect();
+        all.get(all.len().saturating_sub(self.further())..).unwrap_or_default().to_vec()
     }
 }
 
@@ -257,10 +297,28 @@ mod tests {
         let (_, ours) = BASIC.inputs(&[0x00, 0x10, 0, 0, 0, 0, 0, 0]).unwrap();
         assert!(!ours.is_by_bus(), "Net Ref is missing");
         let data = [[0; 8].as_slice(), &[0x07, 0x37, 0xE0, 0x00]].concat();
-        let (_, seen) = Mode::Profidrive.inputs(&data).unwrap();
+        let (_, seen) = Mode::PPO1.inputs(&data).unwrap();
         assert_eq!((seen.hiw, seen.state), (-0x2000, None));
         assert!(seen.is_by_bus() && seen.is_ready() && seen.has_started() && seen.is_reached());
         assert_eq!(BASIC.inputs(&[0; 4]), None);
+    }
+
+    #[test]
+    fn every_ppo_carries_as_much_as_the_manual_says() {
+        // 4.1: words behind STW and HSW, and whether a PKW block stands in front.
+        for (number, further, has_pkw) in [(1, 0, true), (2, 4, true), (3, 0, false), (4, 4, false), (5, 8, true)] {
+            let mode = Mode::Profidrive(number);
+            assert_eq!((mode.further(), mode.has_pkw()), (further, has_pkw), "PPO{number}");
+            let outputs = mode.outputs(Pkw::default(), mode.stop());
+            assert_eq!(outputs.len(), mode.layout().length());
+            let at = if has_pkw { 8 } else { 0 };
+            assert_eq!(outputs[at..at + 4], [0x04, 0x7E, 0, 0]);
+            let mut inputs = vec![0; mode.layout().length()];
+            inputs[at..at + 2].copy_from_slice(&[0x02, 0x31]);
+            inputs.iter_mut().skip(at + 4).for_each(|byte| *byte = 1);
+            assert_eq!(mode.inputs(&inputs).unwrap().1.zsw, 0x0231);
+            assert_eq!(mode.more(&inputs), vec![0x0101; further]);
+        }
     }
 
     #[test]

@@ -21,7 +21,7 @@ pub struct Haul {
 }
 
 /// Which series it is (SJ2-PB manual 5.3), with the words of `--drive`.
-const SERIES: Place = Place { pnu: 624, element: None };
+pub(in crate::drive) const SERIES: Place = Place { pnu: 624, element: None };
 const NAMES: [(u32, &str); 3] = [(0x10, "sj200"), (0x20, "l200"), (0x40, "x200")];
 /// By whose names is spoken where nothing tells.
 const PRESUMED: &str = "l200";
@@ -32,18 +32,17 @@ const BEHIND: [u32; 4] = [703, 620, 89, 88];
 impl Exchange<'_, '_> {
     /// The family of the inverter: the one that was named, or what P.624 tells. In Basic mode nothing tells it.
     pub async fn family(&mut self, named: Option<Rc<Family>>, registry: &Registry) -> Result<Rc<Family>, Failure> {
-        let is_basic = self.mode().is_basic();
-        if is_basic {
+        let is_mute = !self.mode().has_pkw();
+        if is_mute {
             self.meets().await?;
         }
         let told = self.read(SERIES).await?;
-        let presumed = || registry.family(PRESUMED).filter(|_| is_basic);
+        let presumed = || registry.family(PRESUMED).filter(|_| is_mute);
         if let Some(family) = named.or_else(presumed) {
             return Ok(family);
         }
         let series = told?;
-        let name = NAMES.iter().find(|row| row.0 == series & 0xFF).map(|row| row.1);
-        name.and_then(|name| registry.family(name)).ok_or_else(|| {
+        series_named(series).and_then(|name| registry.family(name)).ok_or_else(|| {
             let message = both!(
                 "P.624 tells {series:02X}h, which is no series that is known: expected 10h, 20h or 40h",
                 "P.624 nennt {series:02X}h, keine bekannte Serie: erwartet 10h, 20h oder 40h"
@@ -116,7 +115,12 @@ impl Exchange<'_, '_> {
     }
 }
 
+/// The word of a series, as P.624 tells it.
+pub(in crate::drive) fn series_named(told: u32) -> Option<&'static str> {
+    NAMES.iter().find(|row| row.0 == told & 0xFF).map(|row| row.1)
+}
+
 /// Where a parameter stands.
-pub(super) fn place(id: u32, element: Option<u8>) -> Place {
+pub(in crate::drive) fn place(id: u32, element: Option<u8>) -> Place {
     Place { pnu: u16::try_from(id).unwrap_or(u16::MAX), element }
 }

@@ -369,10 +369,7 @@ impl Exchange<'_, '_> {
     async fn look(&mut self) -> Result<Seen, Failure> {
         loop {
             match self.cycle().await? {
-                Cycle::Left => {
-                    self.words = self.mode().stop();
-                    return Err(trouble::left(self.address()));
-                }
+                Cycle::Left => return Err(trouble::left(self.address())),
                 Cycle::Inputs(_) => {}
                 Cycle::Prepared | Cycle::Released => continue,
             }

@@ -95,7 +95,7 @@ mod tests {
 
     /// Frequencies every 25 ms, the last of them for a while; with a fault from this one on.
     fn told(frequencies: &[i32], fault: usize) -> Still {
-        let mut still = Still::new(crate::drive::profibus::mode::Mode::Profidrive.slow());
+        let mut still = Still::new(crate::drive::profibus::mode::Mode::PPO1.slow());
         for (place, hiw) in frequencies.iter().enumerate() {
             let zsw = if place >= fault { 1 << 3 } else { 0 };
             still.sees(Tick::ZERO + Span::from_millis(25 * place as u64), Seen { zsw, hiw: *hiw, state: None });

@@ -6,7 +6,7 @@ use crate::failure::{Class, Failure};
 use crate::profile::value::format_decimal;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Hex;
-use crate::text::both;
+use crate::text::{Text, both};
 
 pub(super) mod motion;
 
@@ -79,19 +79,40 @@ pub(super) fn unanswered(address: u8, why: &Unanswered) -> Failure {
 /// Bytes of garbage that are shown.
 const SHOWN: usize = 16;
 
+/// Why a slave says no over PKW: the number stands in one half of this or the other; without one there is no right.
+pub(in crate::drive) fn no(pwe: Option<u32>) -> Text {
+    match pwe {
+        None => both!("no right to do it over PKW", "über PKW kein Recht dazu"),
+        Some(pwe) => {
+            let (number, why) = crate::drive::decode::dp::refused(pwe);
+            both!("{number}: {why}", "{number}: {why}", number, why)
+        }
+    }
+}
+
+/// The same as the failure of a question that names its parameter.
+pub(in crate::drive) fn refused(address: u8, pwe: Option<u32>) -> Failure {
+    let why = no(pwe);
+    let message = both!("station {address} refuses: {why}", "Station {address} lehnt ab: {why}", why);
+    match pwe {
+        Some(pwe) => Failure::new(Class::Refused, "refused.pkw", message).with("pwe", format!("{pwe:08X}")),
+        None => Failure::new(Class::Refused, "refused.no_right", message).hint(locked()),
+    }
+}
+
+fn locked() -> Text {
+    both!("P.927 = 0 locks the channel", "P.927 = 0 sperrt den Kanal")
+}
+
 /// What came of a request over PKW.
 pub(super) fn told(address: u8, place: Place, told: Told) -> Result<u32, Failure> {
     let label = label(place);
     let (class, code, message) = match told {
         Told::Value(bits) => return Ok(bits),
         Told::Refused(pwe) => {
-            let (number, why) = crate::drive::decode::dp::refused(pwe);
-            let message = both!(
-                "station {address} refuses {label}: {number}: {why}",
-                "Station {address} lehnt {label} ab: {number}: {why}",
-                number,
-                why
-            );
+            let why = no(Some(pwe));
+            let message =
+                both!("station {address} refuses {label}: {why}", "Station {address} lehnt {label} ab: {why}", why);
             let failure = Failure::new(Class::Refused, "refused.pkw", message).with("address", address);
             return Err(failure.with("pwe", format!("{pwe:08X}")));
         }
@@ -114,7 +135,7 @@ pub(super) fn told(address: u8, place: Place, told: Told) -> Result<u32, Failure
     };
     let failure = Failure::new(class, code, message).with("address", address);
     Err(match told {
-        Told::NoRight => failure.hint(both!("P.927 = 0 locks the channel", "P.927 = 0 sperrt den Kanal")),
+        Told::NoRight => failure.hint(locked()),
         _ => failure,
     })
 }
@@ -164,15 +185,30 @@ pub(super) fn unproven(address: u8, seen: Option<Seen>) -> Failure {
 /// In Basic mode there are no parameters.
 pub(super) fn no_pkw(address: u8) -> Failure {
     let message = both!(
-        "station {address} tells no parameter in Basic mode",
-        "Station {address} nennt im Basic-Modus keine Parameter"
+        "station {address} tells no parameter as it was taken: the Basic block, PPO3 and PPO4 have no PKW",
+        "Station {address} nennt keine Parameter, wie sie übernommen wurde: Basic-Block, PPO3 und PPO4 haben kein PKW"
     );
     Failure::new(Class::Refused, "refused.no_pkw", message).with("address", address)
 }
 
+/// A word of a master would be a value of a parameter.
+pub(super) fn mapped(address: u8, element: u8, index: u32) -> Failure {
+    let word = element + 2;
+    let message = both!(
+        "P.915.{element} of station {address} is {index}: the word PZD{word} would write P.{index} in every cycle, and only a configuration \
+         without it is taken",
+        "P.915.{element} von Station {address} ist {index}: das Wort PZD{word} schriebe P.{index} in jedem Zyklus; genommen wird nur eine \
+         Konfiguration ohne dieses Wort"
+    );
+    Failure::new(Class::Forbidden, "forbidden.mapped", message).with("address", address).hint(both!(
+        "`antrieb --protocol dp write 915.{element}=0` takes it away; without --cfg it is PPO1",
+        "`antrieb --protocol dp write 915.{element}=0` nimmt sie weg; ohne --cfg ist es PPO1"
+    ))
+}
+
 /// The slave does not exchange data.
 pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure {
-    let configured = if mode.is_basic() { "Basic" } else { "PPO1" };
+    let configured = mode.name();
     let (code, told) = match why {
         Trouble::Locked(master) => ("forbidden.locked", both!("master {master} has it", "Master {master} hat sie")),
         Trouble::Other { expected, found } => (
@@ -213,7 +249,7 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure 
             "is it the GSD of this slave? `antrieb -a {address} profibus live` tells its diagnosis",
             "Ist es die GSD dieses Slaves? `antrieb -a {address} profibus live` nennt seine Diagnose"
         ),
-        Mode::Profidrive => both!(
+        Mode::Profidrive(_) => both!(
             "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm, --gsd or --user-prm say; a module in Basic mode is run \
              with --mode basic and --drive; `antrieb -a {address} profibus live` tells its diagnosis",
             "PKW gibt es nur im ProfiDrive-Modus; was seine GSD in Set_Prm verlangt, sagen --gsd oder --user-prm; ein Modul im Basic-Modus \

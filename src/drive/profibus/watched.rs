@@ -48,6 +48,11 @@ impl Exchange<'_, '_> {
     /// the family [`by_words`].
     pub async fn watch(&mut self, family: &Rc<Family>, terms: &Terms<'_>, rounds: Rounds, chosen: Chosen) -> Outcome {
         let chosen = self.of_words(family, chosen);
+        if self.mode().further() > 0
+            && let Err(failure) = self.map(&chosen).await
+        {
+            return Outcome { data: None, warnings: Vec::new(), failure: Some(failure) };
+        }
         let waited_for = chosen.waited_for.clone();
         let mut station = Station::new(Place { address: self.address(), called: None }, Vec::new());
         station.is(Target::new(self.address(), family.clone()), chosen);
@@ -81,7 +86,7 @@ impl Exchange<'_, '_> {
     }
 
     /// What a cycle told of it.
-    fn word(&self, id: u32) -> Option<i64> {
+    pub(super) fn word(&self, id: u32) -> Option<i64> {
         let seen = self.seen()?;
         let setpoint = self.words.hsw;
         Some(match (self.mode().is_basic(), id) {
@@ -96,7 +101,7 @@ impl Exchange<'_, '_> {
 
     /// One value, and why it did not come.
     async fn item(&mut self, family: &Family, item: &Item) -> Result<(Value, Option<Failure>), Failure> {
-        let Some(raw) = self.word(item.param().id) else {
+        let Some(raw) = self.word(item.param().id).or_else(|| self.mapped_word(item.param())) else {
             return self.one(family, &(item.param().clone(), None)).await;
         };
         let reading =

@@ -23,7 +23,7 @@ use crate::tick::Tick;
 pub fn planned(address: u8, family: &Family, step: &Step, element: Option<u8>) -> Result<Written, Failure> {
     let word = word(step)?;
     let request = Request::write(place(step.param.id, element), word, Tick::ZERO);
-    let telegram = told(address, request.asked(), (Mode::Profidrive.stop(), Mode::Profidrive), family);
+    let telegram = asking(address, request.asked(), family);
     let mut row = describe::to_write(address, family, &step.param, 0, step.raw);
     row.index = element;
     job::tell(&mut row, Some(telegram));
@@ -35,11 +35,19 @@ pub fn cyclic(address: u8, (stw, hsw): (u16, u16), mode: Mode, family: &Family) 
     told(address, Pkw::default(), (Words { stw, hsw }, mode), family)
 }
 
+/// The telegram of a cycle under the stop word that asks for this.
+pub(in crate::drive) fn asking(address: u8, pkw: Pkw, family: &Family) -> TelegramDoc {
+    told(address, pkw, (Mode::PPO1.stop(), Mode::PPO1), family)
+}
+
 fn told(address: u8, pkw: Pkw, (words, mode): (Words, Mode), family: &Family) -> TelegramDoc {
     let telegram = Asked::service(Service::DataExchange, mode.outputs(pkw, words)).telegram(address, MASTER);
     let reader = Reader { family: Some(family), cyclic: Some(Cyclic(mode.layout())) };
     reader.telegram(&telegram)
 }
+
+/// What becomes of the mapping (5.2): it is done as another value than 0 comes behind a 0 (4.1.2.5).
+const STORE: u32 = 704;
 
 /// The value as it goes over the line.
 fn word(step: &Step) -> Result<u16, Failure> {
@@ -69,7 +77,7 @@ impl Exchange<'_, '_> {
         };
         row.old_raw = Some(raw);
         row.old = value::digits(&step.param, raw).map(|(raw, decimals)| Decimal { raw, decimals });
-        if raw == step.raw && !force {
+        if raw == step.raw && !force && step.param.id != STORE {
             row.result = WriteResult::Unchanged;
         }
         Ok(())
@@ -80,6 +88,14 @@ impl Exchange<'_, '_> {
     pub async fn write(&mut self, step: &Step, row: &mut Written, _permit: &Permit<Writing>) -> Result<(), Failure> {
         let (at, word) = (place(step.param.id, row.index), word(step)?);
         row.result = WriteResult::Unknown;
+        if step.param.id == STORE
+            && word != 0
+            && let Err(why) = self.set(at, 0).await
+        {
+            row.result = if why.class == Class::Refused { WriteResult::Refused } else { WriteResult::Unknown };
+            row.error = Some(ErrorDoc::from(&why));
+            return Err(why);
+        }
         let told = self.request(Request::write(at, word, self.line.now())).await?;
         let answered = trouble::told(self.address(), at, told);
         let reads = step.param.access.reads();

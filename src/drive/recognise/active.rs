@@ -72,6 +72,7 @@ impl Inquest<'_, '_> {
             Protocol::Modbus(_) => both!("code 100, P.484", "Code 100, P.484"),
             Protocol::Vabus => Text::name("ENQUIRY P.484"),
             Protocol::Sdo(_) => Text::name("SDO P.484"),
+            Protocol::Pkw => Text::name("PKW P.484"),
         };
         let Some(question) = self.route.question(Inquiry::Read(SETPOINT_RAM, Type::Long)) else { return Ok(()) };
         let mut tries = 0;
@@ -92,7 +93,7 @@ impl Inquest<'_, '_> {
             Err(AccessError::Refused(refusal @ Refusal { cause: Some(NOT_READABLE), .. })) => {
                 let tells = both!("the line setpoint is write-only: ACU", "der Liniensollwert ist nur schreibbar: ACU");
                 let answered = match refusal.no {
-                    No::Abort(_) => told(refusal.no),
+                    No::Abort(_) | No::Pkw(_) => told(refusal.no),
                     No::Exception(_) | No::Nak => Text::name("P.11 = 3"),
                 };
                 self.finding.note(asked, answered, tells);

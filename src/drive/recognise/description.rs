@@ -43,7 +43,7 @@ impl Inquest<'_, '_> {
     /// What the description tells.
     fn described(&mut self, described: &Identification) {
         let product = text(described, identification::PRODUCT_CODE);
-        let mut families = self.registry.families().into_iter();
+        let mut families = self.registry.families();
         let family = families
             .find(|family| family.link.product.as_ref().is_some_and(|start| product.starts_with(start.as_str())));
         let tells = match &family {

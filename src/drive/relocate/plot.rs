@@ -82,7 +82,7 @@ impl Plot<'_, '_> {
         // From VABus nobody sees what parity Modbus has in force; it is looked for, from the stored one on.
         let parity = match self.here.protocol {
             Protocol::Modbus(_) => self.here.line.parity,
-            Protocol::Vabus | Protocol::Sdo(_) => {
+            Protocol::Vabus | Protocol::Sdo(_) | Protocol::Pkw => {
                 meaning(&parities(&family), self.stored(&family.link.line.parity).await?).unwrap_or(Parity::Even)
             }
         };
@@ -96,6 +96,7 @@ impl Plot<'_, '_> {
         let last = match self.here.protocol {
             Protocol::Vabus => Address::LAST,
             Protocol::Sdo(_) => LAST_DRIVE,
+            Protocol::Pkw => crate::protocol::dp::LAST_STATION,
             Protocol::Modbus(_) => LAST_STATION,
         };
         let fits = u8::try_from(address).ok().filter(|address| *address <= last);
@@ -150,6 +151,6 @@ pub(super) fn address_role(protocol: Protocol) -> Role {
     match protocol {
         Protocol::Vabus => Role::NodeId,
         Protocol::Sdo(_) => Role::BusNode,
-        Protocol::Modbus(_) => Role::Address,
+        Protocol::Modbus(_) | Protocol::Pkw => Role::Address,
     }
 }

@@ -163,6 +163,27 @@ fn a_retry_behind_a_lost_reply_is_a_request_and_turns_nothing_round() {
     assert_eq!(told, [request; 2]);
 }
 
+/// A token names neither a question nor whom it is for: the reader of Modbus, which tells the two apart, has no say in it.
+#[test]
+fn a_token_stays_one_and_is_neither_a_question_nor_garbled() {
+    let (token, asks): (&[u8], &[u8]) = (&[0xDC, 0x02, 0x01], &[0x10, 0x03, 0x01, 0x49, 0x4D, 0x16]);
+    let tells: &[u8] = &[0x10, 0x01, 0x03, 0x00, 0x04, 0x16];
+    let mut ear = rtu();
+    ear.cutter = Cutter::dp();
+    ear.profibus = Some(dp::Reader { family: None, cyclic: None });
+    let heard = [(0, token), (10, asks), (15, tells), (20, token), (30, asks), (40, token), (41, token)];
+    let docs: Vec<_> = heard.into_iter().flat_map(|(ms, bytes)| ear.feed(at(ms), bytes)).collect();
+    let token = ("either", "DC 02 01");
+    let asks = ("request", "10 03 01 49 4D 16");
+    assert_eq!(short(&docs), [token, asks, ("reply", "10 01 03 00 04 16"), token, asks, token, token]);
+    assert!(docs.iter().filter(|doc| doc.direction.is_none()).all(|doc| doc.meaning.en.contains("token")), "{docs:?}");
+    let count = ear.census.count(at(60_000));
+    let station = &count.stations[0];
+    assert_eq!((count.heard, count.garbled, count.stations.len()), (7, 0, 1));
+    let counts = (station.requests, station.replies, station.unanswered, station.either, station.check_errors);
+    assert_eq!((station.address, counts), (3, (2, 1, 1, 0, 0)));
+}
+
 #[test]
 fn ascii_telegrams_end_with_their_line_or_with_the_next_colon() {
     // B6h is a '6' with the parity bit that some drivers leave in.

@@ -54,14 +54,23 @@ pub(super) async fn standstill(session: &mut Session<'_>, target: &mut Target) -
     }
     let mut reader = Reader::new(session, target);
     let state = reader.vital_role(Role::StatusWord).await?.and_then(|value| value.word?.state);
+    // Where the word names no state, the frequency tells whether the shaft turns.
+    let turns = match (&state, reader.target.family.role(Role::ActualFrequency)) {
+        (None, Some(_)) => reader.vital_role(Role::ActualFrequency).await?.is_some_and(|value| value.raw != Some(0)),
+        _ => false,
+    };
     if let Some(failure) = reader.into_failures().0.into_iter().next() {
         return Err(failure);
     }
-    let Some(state) = state.filter(|state| has_power(&state.slug) != Some(false)) else { return Ok(()) };
+    let state = match state.filter(|state| has_power(&state.slug) != Some(false)) {
+        Some(state) => state.name,
+        None if turns => both!("its shaft turns", "seine Welle dreht sich"),
+        None => return Ok(()),
+    };
     let message = both!(
         "drive {address} runs ({state}): a file is written to a drive that does not run",
         "Antrieb {address} läuft ({state}): eine Datei wird in einen Antrieb geschrieben, der nicht läuft",
-        state = state.name
+        state
     );
     Err(Failure::new(Class::Forbidden, RUNNING, message).with("address", address).hint(both!(
         "stop it first, such as with `antrieb statemachine disable`; `antrieb write` writes single values to a drive that runs",

@@ -120,7 +120,7 @@ impl Speech for Sdo {
     }
 
     fn cutter(&self, _: LineSetting) -> (Box<dyn Cut>, Span) {
-        (Box::new(Frames::default()), STRAGGLE)
+        (Box::new(Frames::<{ Telegram::LEN }>::default()), STRAGGLE)
     }
 
     fn names_its_question(&self) -> bool {
@@ -169,12 +169,12 @@ impl Speech for Sdo {
 
 /// Whole frames, one behind the other.
 #[derive(Debug, Default)]
-struct Frames(Vec<u8>);
+pub(super) struct Frames<const LEN: usize>(Vec<u8>);
 
-impl Cut for Frames {
+impl<const LEN: usize> Cut for Frames<LEN> {
     fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
         self.0.extend(bytes);
-        let (frames, rest) = self.0.as_chunks::<{ Telegram::LEN }>();
+        let (frames, rest) = self.0.as_chunks::<LEN>();
         let (frames, rest) = (frames.iter().map(|frame| frame.to_vec()).collect(), rest.to_vec());
         self.0 = rest;
         frames

@@ -14,6 +14,8 @@ const SYN_BITS: u64 = 33 + 2;
 const UNANSWERED: Span = Span::from_millis(2);
 /// A line that is never silent for so long has no room for a question.
 const BABBLE: Span = Span::from_secs(1);
+/// What insists goes out into a line that was not silent for so long.
+const BUSY: Span = Span::from_millis(100);
 /// Bytes of one reply: SD2 has at most 255 (IEC 61158-4-3).
 const LONGEST: u64 = 255;
 /// Bytes that are looked through for a telegram.
@@ -163,6 +165,8 @@ pub struct Fdl {
     /// Repeats so far, by station.
     repeats: BTreeMap<u8, u64>,
     tally: Tally,
+    /// What is asked goes out whoever else speaks: it is the stop of a motor.
+    insists: bool,
 }
 
 impl Fdl {
@@ -181,7 +185,18 @@ impl Fdl {
             after: None,
             repeats: BTreeMap::new(),
             tally: Tally::default(),
+            insists: false,
         }
+    }
+
+    /// From now on nobody else on the line keeps a question from going out, nor ends it.
+    pub fn insist(&mut self) {
+        self.insists = true;
+    }
+
+    /// How long a question waits for the line.
+    fn patience(&self) -> Span {
+        if self.insists { BUSY } else { BABBLE }
     }
 
     /// Our address.
@@ -231,7 +246,7 @@ impl Fdl {
         self.heard.clear();
         self.done = None;
         self.ready = self.ready.max(now);
-        let (until, limit) = (now, now + BABBLE);
+        let (until, limit) = (now, now + self.patience());
         let (asked_times, garbage) = (0, Vec::new());
         self.open = Some(Open { station, asked, bytes, tries, asked_times, sent: None, until, limit, garbage });
     }
@@ -279,8 +294,9 @@ impl Fdl {
 
     /// Sends the question, or says until when to wait first.
     fn send(&mut self, now: Tick) -> Step<Result<Reply, Unanswered>> {
-        let (ready, line, slot) = (self.ready, self.line, self.timing.slot);
+        let (ready, line, slot, insists) = (self.ready, self.line, self.timing.slot, self.insists);
         let Some(open) = &mut self.open else { return Step::Wait(ready) };
+        let ready = if insists { ready.min(open.limit) } else { ready };
         if now < ready {
             return Step::Wait(ready);
         }
@@ -307,11 +323,11 @@ impl Fdl {
         if !rest.is_empty() {
             self.note(now, Verdict::Garbage, rest.clone());
         }
-        let slot = self.timing.slot;
+        let (slot, patience) = (self.timing.slot, self.patience());
         let Some(open) = &mut self.open else { return };
         open.garbage.extend(rest);
         if open.tries > 0 && open.sent.is_some() {
-            (open.sent, open.limit) = (None, now + BABBLE);
+            (open.sent, open.limit) = (None, now + patience);
             *self.repeats.entry(open.station).or_default() += 1;
             self.tally.repeats += 1;
             self.ready = self.ready.max(now + syn(self.line).longer(UNANSWERED));
@@ -352,6 +368,13 @@ impl Fdl {
             }
             Telegram::Frame(frame) => self.frame(open, frame),
         };
+        let is_other = matches!(result, Some(Err(Unanswered::OtherMaster(_))));
+        // What comes before the question went out answers the one before it, which nobody waits for any more.
+        let (verdict, result) = match result {
+            Some(_) if is_other && self.insists => (verdict, None),
+            Some(Ok(_)) if open.asked_times == 0 => (Verdict::Stray { station: open.station }, None),
+            result => (verdict, result),
+        };
         self.note(now, verdict, bytes);
         result
     }
@@ -382,7 +405,10 @@ impl Conversation for Fdl {
     type End = Result<Reply, Unanswered>;
 
     fn step(&mut self, now: Tick) -> Step<Self::End> {
-        let is_over = |open: &Open| now >= if open.sent.is_some() { open.until } else { open.limit };
+        let is_over = |open: &Open| match open.sent {
+            Some(_) => now >= open.until,
+            None => now >= open.limit && !self.insists,
+        };
         if self.open.as_ref().is_some_and(is_over) {
             self.expires(now);
         }
@@ -391,7 +417,7 @@ impl Conversation for Fdl {
         }
         match &self.open {
             Some(Open { sent: Some(_), until, .. }) => Step::Wait(*until),
-            Some(Open { sent: None, limit, .. }) if self.ready > *limit => Step::Wait(*limit),
+            Some(Open { sent: None, limit, .. }) if self.ready > *limit && !self.insists => Step::Wait(*limit),
             _ => self.send(now),
         }
     }
@@ -422,33 +448,87 @@ mod tests {
     use super::*;
     use crate::protocol::line::Parity;
 
-    /// Who interrupts before a repeat goes out has a question that was perhaps heard: the counting begins again.
-    #[test]
-    fn a_question_that_was_given_up_before_its_repeat_leaves_no_count() {
-        let line = LineSetting::rtu(19_200, Parity::Even);
-        let mut fdl = Fdl::new(0, line, Timing::of(line), Tick::ZERO);
-        let mut now = Tick::ZERO;
-        let sent = |fdl: &mut Fdl, now: &mut Tick| loop {
+    const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
+
+    fn fdl() -> Fdl {
+        Fdl::new(0, LINE, Timing::of(LINE), Tick::ZERO)
+    }
+
+    /// The next telegram, and when it goes out.
+    fn sent(fdl: &mut Fdl, now: &mut Tick) -> Vec<u8> {
+        loop {
             match fdl.step(*now) {
                 Step::Send(bytes) => return bytes,
                 Step::Wait(until) => *now = until,
                 Step::Done(_) => {}
             }
+        }
+    }
+
+    fn diag() -> Asked {
+        Asked::service(Service::SlaveDiag, Vec::new())
+    }
+
+    /// The answer to it.
+    fn reply() -> Vec<u8> {
+        let control = Control::Reply { station: Station::Slave, status: Status::DataLow };
+        let (dsap, ssap, data) = (Some(62), Some(60), vec![0; 6]);
+        Telegram::Frame(Frame { to: 0, from: 3, control, dsap, ssap, data, is_fixed: false }).encode()
+    }
+
+    /// Who interrupts leaves a question whose answer is on its way: it is none to the next one, which was not asked yet.
+    #[test]
+    fn an_answer_that_nobody_waits_for_is_none_to_the_question_behind_it() {
+        let (mut fdl, mut now) = (fdl(), Tick::ZERO);
+        fdl.ask(3, diag(), None, now);
+        sent(&mut fdl, &mut now);
+        let now = now + Span::from_millis(8);
+        fdl.ask(3, Asked::service(Service::SlaveDiag, Vec::new()), None, now);
+        let mut now = now + Span::from_millis(8);
+        fdl.feed(now, &reply());
+        assert!(matches!(fdl.step(now), Step::Wait(_)), "nothing was asked");
+        let said = sent(&mut fdl, &mut now);
+        assert_eq!(said, diag().telegram(3, 0), "counting begins again");
+        fdl.feed(now + Span::from_millis(20), &reply());
+        assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+    }
+
+    /// A token every 2 ms leaves no room on a line: who insists asks all the same, and is answered.
+    #[test]
+    fn the_stop_of_a_motor_goes_out_beside_another_master() {
+        let token = [0xDC, 0x02, 0x02];
+        let told = |insists: bool| {
+            let mut fdl = fdl();
+            if insists {
+                fdl.insist();
+            }
+            fdl.ask(3, diag(), None, Tick::ZERO);
+            let mut now = Tick::ZERO;
+            while now < Tick::ZERO + Span::from_secs(2) {
+                match fdl.step(now) {
+                    Step::Send(_) => {
+                        fdl.feed(now + Span::from_millis(10), &token);
+                        fdl.feed(now + Span::from_millis(20), &reply());
+                    }
+                    Step::Done(done) => return (done, now),
+                    Step::Wait(_) => fdl.feed(now, &token),
+                }
+                now += Span::from_millis(2);
+            }
+            panic!("no end");
         };
-        let diag = || Asked::service(Service::SlaveDiag, Vec::new());
+        assert_eq!(told(false).0, Err(Unanswered::OtherMaster(2)));
+        let (done, at) = told(true);
+        assert!(matches!(done, Ok(Reply::Frame { .. })) && at < Tick::ZERO + Span::from_millis(150), "{done:?} {at:?}");
+    }
+
+    /// Who interrupts before a repeat goes out has a question that was perhaps heard: the counting begins again.
+    #[test]
+    fn a_question_that_was_given_up_before_its_repeat_leaves_no_count() {
+        let (mut fdl, mut now) = (fdl(), Tick::ZERO);
         fdl.ask(3, diag(), None, now);
         let first = sent(&mut fdl, &mut now);
-        let station = Control::Reply { station: Station::Slave, status: Status::DataLow };
-        let reply = Frame {
-            to: 0,
-            from: 3,
-            control: station,
-            dsap: Some(62),
-            ssap: Some(60),
-            data: vec![0; 6],
-            is_fixed: false,
-        };
-        fdl.feed(now + Span::from_millis(20), &Telegram::Frame(reply).encode());
+        fdl.feed(now + Span::from_millis(20), &reply());
         assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
         fdl.ask(3, diag(), None, now);
         let second = sent(&mut fdl, &mut now);

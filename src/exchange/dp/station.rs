@@ -117,6 +117,11 @@ impl Station {
         &mut self.outputs
     }
 
+    /// The ident number that it told, once it was asked.
+    pub fn ident(&self) -> Option<u16> {
+        (self.stage != Stage::Look || self.owned).then_some(self.ident)
+    }
+
     /// Whether the slave may be ours, and must be let go.
     pub fn is_owned(&self) -> bool {
         self.owned

@@ -217,13 +217,16 @@ impl Master {
         let (sent_end, station, question) = (waiting.sent_end, job.station, job.question.clone());
         // What came behind it and is no telegram may have been the other one.
         let behind = std::mem::take(&mut waiting.came);
+        let is_left = !behind.is_empty() || !waiting.garbage.is_empty();
         let spoilt = behind.len() >= self.dialect.shortest_reply();
         if !behind.is_empty() {
             self.loose.hears(waiting.last, &behind);
         }
         let is_sure = matches!(held.weight, Weight::Wait(_));
-        // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
-        let is_doubted = is_sure && self.heard.has_surplus(station) && job.rounds == 0;
+        // Sooner than ever, on a line that is known to bring more than was asked for, or as another answer, with pieces beside it that may be
+        // what an adapter has handed over of the true one: once more, then it is believed.
+        let copied = is_left && self.heard.is_anothers(held.at, &held.bytes, job.asks());
+        let is_doubted = is_sure && (self.heard.has_surplus(station) || copied) && job.rounds == 0;
         let is_stale = matches!(held.weight, Weight::Stale(_));
         if !is_doubted && (is_sure || is_stale) {
             (job.doubted, job.noisy) = (held.doubted || spoilt, false);

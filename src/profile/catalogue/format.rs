@@ -97,6 +97,8 @@ pub(super) struct ParamRow {
     pub(super) unit: Option<String>,
     #[serde(rename = "type")]
     pub(super) kind: Option<Type>,
+    /// Of an array, how many it has; they count from 1.
+    pub(super) elements: Option<u8>,
     pub(super) decimals: Option<u8>,
     pub(super) min: Option<Number>,
     pub(super) max: Option<Number>,

@@ -205,6 +205,7 @@ impl Origin {
             name: Text { en: row.en.into(), de: row.de.into() },
             unit: row.unit,
             kind: row.kind,
+            elements: row.elements,
             decimals: row.decimals,
             min,
             max,

@@ -83,9 +83,9 @@ impl Registry {
         rows.map(|row| DriveTitle { id: row.id.clone(), title: row.title() }).collect()
     }
 
-    /// Every drive, in the order of the catalogues.
-    pub fn families(&self) -> Vec<Rc<Family>> {
-        self.drives().iter().filter_map(|drive| self.family(&drive.id)).collect()
+    /// Every drive, in the order of the catalogues; each is read when its turn comes.
+    pub fn families(&self) -> impl Iterator<Item = Rc<Family>> {
+        self.drives().into_iter().filter_map(|drive| self.family(&drive.id))
     }
 
     /// The drive that a device is taken for as long as nobody knows what it is.

@@ -88,7 +88,7 @@ pub fn print_undo(
 /// The line of a setting: `"372@2" = "1450 1/min"  # rated-speed`; in German its name stands behind the slug.
 pub fn line(setting: &Setting, family: &Family, lang: Lang) -> String {
     let Setting { param, set, raw, .. } = setting;
-    let key = if *set == 0 { param.id.to_string() } else { format!("{}@{set}", param.id) };
+    let key = if *set == 0 { param.key() } else { format!("{}@{set}", param.key()) };
     let more = match family.text_of(param, *raw) {
         Some(text) => format!(": {}", text.get(lang)),
         None if param.hex && *raw >= 0 => format!(": 0x{raw:04X}"),

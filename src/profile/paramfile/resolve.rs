@@ -84,7 +84,7 @@ impl ParamFile {
                 )));
             }
         };
-        if !family.link.carries(param.id) {
+        if !family.link.carries(param.number()) {
             let why = both!(
                 "there is no parameter {number}: {numbers}",
                 "einen Parameter {number} gibt es nicht: {numbers}",

@@ -69,7 +69,8 @@ pub(crate) struct Setup {
     pub(crate) address: u8,
     pub(crate) ident: u16,
     pub(crate) readings: Readings,
-    pub(crate) set: Vec<(u32, i64)>,
+    /// Index, element of an array or 0, raw value.
+    pub(crate) set: Vec<(u32, u8, i64)>,
     pub(crate) events: Vec<(Tick, Event)>,
 }
 
@@ -110,8 +111,8 @@ impl Profibus {
             let family = registry.family(setup.kind.name())?;
             let inverter = Inverter::new(setup.kind, &family, a004_scale(setup.readings));
             let mut module = Module::new(setup.address, inverter, setup.readings);
-            for (index, raw) in setup.set {
-                module.inverter.store(index, raw);
+            for (index, element, raw) in setup.set {
+                module.preset(index, element, raw);
             }
             events.extend(setup.events.into_iter().map(|(at, event)| (at, place, event)));
             Some(Slave::new(module, setup.ident))
@@ -183,6 +184,15 @@ impl Profibus {
     pub fn shaft(&self, address: u8) -> Option<i64> {
         let slave = self.slaves.iter().find(|slave| slave.address() == address)?;
         Some(slave.module.inverter.motor.shaft(self.now))
+    }
+
+    /// A raw value of an inverter, or of an element of an array.
+    pub fn raw(&self, address: u8, index: u16, element: Option<u8>) -> Option<i64> {
+        let module = &self.slaves.iter().find(|slave| slave.address() == address)?.module;
+        match element {
+            Some(element) => Some(module.element(index, element).into()),
+            None => module.value(self.now, index.into()),
+        }
     }
 
     /// The master puts `bytes` on the wire, back to back.

@@ -127,7 +127,22 @@ impl Module {
         Ok(())
     }
 
-    fn element(&self, index: u16, element: u8) -> u16 {
+    /// What stands there at power-on.
+    pub(crate) fn preset(&mut self, index: u32, element: u8, raw: i64) {
+        let place = usize::from(element).checked_sub(1);
+        let map = match index as u16 {
+            WRITTEN => Some(&mut self.written),
+            READ => Some(&mut self.read),
+            _ => None,
+        };
+        match map.zip(place).and_then(|(map, place)| map.get_mut(place)) {
+            Some(cell) => *cell = (raw & 0xFFFF) as u16,
+            None => self.inverter.store(index, raw),
+        }
+    }
+
+    /// Word of an element of an array.
+    pub(crate) fn element(&self, index: u16, element: u8) -> u16 {
         let words: &[u16] = match index {
             WRITTEN => &self.written,
             READ => &self.read,

@@ -126,9 +126,13 @@ impl BenchFile<'_> {
                 readings.add(reading);
             }
         }
-        let set = row.set.iter().map(|(index, raw)| match index.get_ref().parse() {
-            Ok(number) => Ok((number, *raw)),
-            Err(_) => {
+        let parsed = |index: &str| {
+            let (number, element) = index.split_once('.').unwrap_or((index, "0"));
+            Some((number.parse().ok()?, element.parse().ok()?))
+        };
+        let set = row.set.iter().map(|(index, raw)| match parsed(index.get_ref()) {
+            Some((number, element)) => Ok((number, element, *raw)),
+            None => {
                 let index_is = index.get_ref();
                 let message = both!("\"{index_is}\"; expected an index", "\"{index_is}\"; erwartet: ein Index");
                 Err(self.error(index.span(), message))

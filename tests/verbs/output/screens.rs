@@ -178,6 +178,13 @@ fn the_screens_in_the_documentation_are_those_of_the_program() {
 }
 
 #[test]
+fn the_screen_of_the_readme_is_one_of_them() {
+    let (_, behind) = include_str!("../../../README.md").split_once("```text\n").unwrap();
+    let (screen, _) = behind.split_once("```").unwrap();
+    assert!(include_str!("../../../docs/screens/run.en.txt").contains(screen), "{screen}");
+}
+
+#[test]
 fn every_verb_has_its_screens() {
     let missing: Vec<_> = verbs().filter(|verb| TYPED.iter().all(|row| row.0 != *verb)).collect();
     assert!(missing.is_empty(), "{missing:?}");

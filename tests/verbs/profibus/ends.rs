@@ -104,6 +104,27 @@ fn whoever_interrupts_stops_it_and_whoever_insists_lets_it_coast() {
     }
 }
 
+/// A motor may turn from before, so the stop word goes to whoever was taken, also where nothing was asked of him yet.
+#[test]
+fn who_interrupts_before_the_first_exchange_lets_no_motor_go_without_the_stop_word() {
+    let whole = does(RUN, &driven(1, ""), Hand::default());
+    let first = whole.first(0x047E);
+    assert!(first > 3, "Slave_Diag, Set_Prm, Chk_Cfg stand before it");
+    for press in 0..=first {
+        let came = does(RUN, &driven(1, ""), Hand { presses: &[press], ..Hand::default() });
+        let what = format!("behind telegram {press}: {:?}", came.failure());
+        assert_eq!(came.code(), ("interrupted", 130), "{what}");
+        let is_taken = came.words().contains(&0x047E);
+        assert!(
+            is_taken || came.moments().iter().all(|moment| ![Said::Clear, Said::Unlock].contains(&moment.said)),
+            "{what}"
+        );
+        if is_taken {
+            came.holds(&what);
+        }
+    }
+}
+
 #[test]
 fn a_run_that_is_to_coast_does() {
     let came = does(&format!("{RUN} --on-exit coast"), &module(RESTS, "", ""), Hand::default());
@@ -275,7 +296,7 @@ fn control_is_not_given_back_where_that_starts_the_motor() {
     for (contact, note) in [("0s", "turned before"), ("4s", "started at once")] {
         let bench = module(RESTS, "", &event(contact, "contact = true"));
         let came = does(RUN, &bench, Hand::default());
-        assert_eq!(came.code(), ("", 0), "{contact}: {:?}", came.failure());
+        assert_eq!(came.code(), ("partial.not_given_back", 9), "{contact}: {:?}", came.failure());
         came.holds(contact);
         let motion = came.motion();
         assert!(motion.notes.iter().any(|told| told.en.contains(note)), "{contact}: {:?}", motion.notes);
@@ -318,6 +339,28 @@ fn a_slave_that_is_lost_is_stopped_by_itself_or_by_us() {
                 }
             }
         }
+    }
+}
+
+/// While its scale is measured and P.611 and P.600 are asked, too: whoever comes back finds no start word.
+#[test]
+fn a_slave_that_is_lost_as_it_starts_is_not_started_anew() {
+    let whole = on_time("");
+    let (begun, _) = whole.sent[whole.first(0x047F)];
+    for later in (0..600).step_by(30) {
+        let at = begun.since(Tick::ZERO).as_millis() + later;
+        let back = at + 2_500;
+        let events = event(&format!("{at}ms"), "cut = true") + &event(&format!("{back}ms"), "cut = false");
+        let came = does(RUN, &module(RESTS, "", &events), Hand::default());
+        let what = format!("{later} ms behind the first start word: {:?}", came.failure());
+        assert_eq!(came.code(), ("refused.left", 6), "{what}");
+        came.holds(&what);
+        // What goes to a slave that has left is refused; behind Slave_Diag it counts again.
+        let back = Tick::ZERO + Span::from_millis(back);
+        let moments = came.moments();
+        let led = moments.iter().skip_while(|moment| moment.at < back || moment.said != Said::Other);
+        assert!(led.clone().count() > 4, "{what}");
+        assert!(led.into_iter().all(|moment| !matches!(moment.said, Said::Words(0x047F, _))), "{what}");
     }
 }
 

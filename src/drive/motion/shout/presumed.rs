@@ -56,7 +56,7 @@ pub(super) fn doubted(meant: &Meant, family: &Family) -> Option<Text> {
 /// One family of each kind that can be moved.
 fn kinds(registry: &Registry) -> Vec<Rc<Family>> {
     let mut kinds: Vec<Rc<Family>> = Vec::new();
-    for family in registry.families().into_iter().filter(|family| family.is_movable()) {
+    for family in registry.families().filter(|family| family.is_movable()) {
         if kinds.iter().all(|known| kind(known) != kind(&family)) {
             kinds.push(family);
         }

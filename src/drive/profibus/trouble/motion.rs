@@ -198,6 +198,25 @@ pub(in crate::drive::profibus) fn unreached(failure: Failure, mode: Mode, lost: 
     ))
 }
 
+/// The slave was taken and let go before it exchanged data.
+pub(in crate::drive::profibus) fn never_reached(address: u8) -> Text {
+    both!(
+        "station {address} was taken and let go again before it exchanged data: no word of ours came to its motor, and what that does is not \
+         known",
+        "Station {address} wurde übernommen und wieder freigegeben, bevor sie Daten austauschte: zu ihrem Motor kam kein Wort von hier, und was \
+         er tut, ist nicht bekannt"
+    )
+}
+
+/// Another master began to speak while a motor of ours ran.
+pub(in crate::drive::profibus) fn other_master_beside(master: u8) -> Failure {
+    let message = both!(
+        "another master became active on this line, at address {master}; behind that only the stop was sent",
+        "auf dieser Leitung wurde ein anderer Master aktiv, unter Adresse {master}; danach wurde nur noch der Halt gesendet"
+    );
+    Failure { message, ..super::other_master(master) }
+}
+
 /// Control is not given back.
 pub(in crate::drive::profibus) fn right_stays() -> Text {
     both!(
@@ -213,6 +232,27 @@ pub(in crate::drive::profibus) fn right_again() -> Text {
         "P.928 bleibt 1: als es zurückgegeben war, startete jemand anderes den Motor sofort (seine Klemmen?), und er wurde wieder \
          angehalten"
     )
+}
+
+/// Somebody else starts the motor as soon as he may. Whether letting the slave go is a loss of the bus is open.
+pub(in crate::drive::profibus) fn not_given_back(address: u8, lost: Option<u32>) -> Failure {
+    let message = both!(
+        "station {address}: P.928 was not given back, because somebody else (its terminals?) would start the motor then",
+        "Station {address}: P.928 wurde nicht zurückgegeben, weil dann jemand anderes (seine Klemmen?) den Motor startete"
+    );
+    let hint = match lost {
+        Some(4) => both!(
+            "P.703 = 4: as soon as nobody exchanges data with it, the terminals may start the motor; open the start contact",
+            "P.703 = 4: sobald niemand mehr Daten mit ihr austauscht, können die Klemmen den Motor starten; den Startkontakt öffnen"
+        ),
+        _ => both!(
+            "open the start contact, then `antrieb --protocol dp write 928=0`",
+            "den Startkontakt öffnen, dann `antrieb --protocol dp write 928=0`"
+        ),
+    };
+    let is_alarm = lost == Some(4);
+    let failure = Failure::new(Class::Partial, "partial.not_given_back", message).with("address", address).hint(hint);
+    Failure { alarm: is_alarm, ..failure }
 }
 
 /// What a motor does whose slave lost us, by P.703 (5.2).

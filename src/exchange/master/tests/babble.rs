@@ -48,6 +48,7 @@ fn a_line_that_is_never_silent_fails_in_time_whatever_is_spoken_on_it() {
                 }
                 Protocol::Modbus(_) => Question::from(Request::ReadLong { address: 210 }),
                 Protocol::Sdo(_) => Upload(Multiplexer { index: 411, sub: 0 }).into(),
+                Protocol::Pkw => unreachable!("a block of a slave goes over no line of characters"),
             };
             let (outcome, took) = beside(&mut master, Tick::ZERO, question, babble);
             assert!(took <= master.limits().longest(protocol, line), "{protocol}, {index}: {took}");

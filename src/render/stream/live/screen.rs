@@ -105,7 +105,7 @@ impl Screen {
             }
             // They are told as notes.
             Record::Trigger(_) | Record::Trip(_) => {}
-            Record::Telegram(_) | Record::Statistics(_) | Record::Search(_) | Record::End(_) => {}
+            Record::Telegram(_) | Record::Statistics(_) | Record::Search(_) | Record::Station(_) | Record::End(_) => {}
         }
     }
 
