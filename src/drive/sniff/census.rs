@@ -111,7 +111,8 @@ impl Census {
         let start = Tick::from_micros(came.first.as_micros().saturating_sub(self.terms.chars(came.piece).as_micros()));
         let pause = self.last.replace(came.last).filter(|last| came.first > *last).map(|last| start.since(last));
         let Some(address) = doc.address.filter(|_| doc.check_ok) else {
-            if let Some(open) = &self.open {
+            // What names nobody and is whole, a token, disturbed nothing.
+            if let Some(open) = self.open.as_ref().filter(|_| !doc.check_ok) {
                 self.stations.entry(open.address).or_default().check_errors += 1;
             }
             return;
