@@ -45,7 +45,8 @@ use std::path::{Path, PathBuf};
 pub struct Args {
     /// 210, 480@2, rated-speed, @actual
     ///
-    /// Named as for `read`. [default: state, setpoint, actual frequency, current, fault, warnings]
+    /// Named as for `read`. [default: state, setpoint, actual frequency, current, fault, warnings; of LXM05 state, mode, target speed,
+    /// position]
     #[arg(value_name = "PARAMETER")]
     pub params: Vec<String>,
 
@@ -302,13 +303,17 @@ fn named(param: Param) -> Item {
     Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true, lenient: true })
 }
 
+/// What it is to do; of a servo drive the speed that the bus gives it.
+const SETPOINT: &[&str] = &["setpoint-ramp", "setpoint-bus", "setpoint-velocity"];
+
 /// What a drive does, in the order in which one of it is taken.
-const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed"];
+const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed", "position"];
 
 /// Roles of the default view; of several actual values one will do, and only if its decimals are known.
-const DEFAULT: [&[&str]; 7] = [
+const DEFAULT: [&[&str]; 8] = [
     &["status-word"],
-    &["setpoint-ramp", "setpoint-bus"],
+    &["mode-active"],
+    SETPOINT,
     ACTUAL,
     &["current"],
     &["dc-link-voltage"],

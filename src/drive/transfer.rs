@@ -124,10 +124,17 @@ impl Target {
         let way = self.family.link.route;
         let mut readings = Vec::new();
         let lines = params.chunk_by(|one, next| way.neighbour(one.id) == Some(next.id));
-        for chunk in lines.flat_map(|line| line.chunks(way.most())).filter(|chunk| chunk.len() > 1) {
+        let chunks = lines.flat_map(|line| line.chunks(way.most())).filter(|chunk| chunk.len() > 1);
+        for chunk in chunks {
+            if chunk.iter().any(|param| self.apart.contains(&param.id)) {
+                continue;
+            }
             match self.read_chunk(session, chunk).await {
                 Ok(chunk) => readings.extend(chunk),
                 Err(error) if error.is_fatal() => return (readings, Err(error)),
+                Err(AccessError::Refused(refusal)) if !refusal.no.passes() => {
+                    self.apart.extend(chunk.iter().map(|param| param.id));
+                }
                 Err(_) => {}
             }
         }

@@ -223,6 +223,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("equal", "gleich"),
     ("error rate", "Fehlerrate"),
     ("echo", "Echo"),
+    ("either", "unklar"),
     ("error register", "Fehlerregister"),
     ("evidence", "Beleg"),
     ("fault", "Störung"),
