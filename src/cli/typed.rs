@@ -6,7 +6,7 @@ use super::short;
 use crate::args::{Globals, Settings, below_zero};
 use crate::command::{self, Again, Entry, VERBS};
 use crate::failure::{Class, Failure};
-use crate::text::both;
+use crate::text::{Text, both};
 use clap::error::ErrorKind;
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
@@ -56,11 +56,25 @@ impl What {
             let can: Vec<_> = VERBS.iter().filter(|verb| speaks(verb)).map(|verb| verb.name).collect();
             let can = can.join(", ");
             let message = both!("`{name}` does not speak {what} yet", "`{name}` spricht noch kein {what}");
-            Failure::new(Class::Usage, code, message)
-                .hint(both!("what understands it: {can}", "was es versteht: {can}"))
+            let instead = INSTEAD.into_iter().find(|(verb, of, _)| (*verb, *of) == (name, code));
+            let hint = instead.map_or_else(
+                || both!("what understands it: {can}", "was es versteht: {can}"),
+                |(_, _, instead)| instead,
+            );
+            Failure::new(Class::Usage, code, message).hint(hint)
         })
     }
 }
+
+/// What does the same where a verb does not speak something.
+const INSTEAD: [(&str, &str, Text); 1] = [(
+    "sniff",
+    "usage.sdo",
+    Text::new(
+        "`antrieb systembus monitor` shows what goes over a CAN bus",
+        "`antrieb systembus monitor` zeigt, was über einen CAN-Bus geht",
+    ),
+)];
 
 impl Subcommand for What {
     fn augment_subcommands(root: clap::Command) -> clap::Command {

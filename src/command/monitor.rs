@@ -286,6 +286,9 @@ impl Wanted {
                 items.push(item);
             }
         }
+        if items.is_empty() {
+            return Err(nothing_usual(family));
+        }
         Ok(Chosen { items, waited_for })
     }
 }
@@ -306,7 +309,7 @@ fn named(param: Param) -> Item {
 /// What it is to do; of a servo drive the speed that the bus gives it.
 const SETPOINT: &[&str] = &["setpoint-ramp", "setpoint-bus", "setpoint-velocity"];
 
-/// What a drive does, in the order in which one of it is taken.
+/// What a drive does, in the order in which one of it is taken: of a servo no source tells the address of its speed.
 const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed", "position"];
 
 /// Roles of the default view; of several actual values one will do, and only if its decimals are known.
@@ -323,8 +326,28 @@ const DEFAULT: [&[&str]; 8] = [
 
 /// What is shown of a drive where nobody names anything.
 pub(super) fn usual(family: &Family) -> Vec<Item> {
-    let usual = DEFAULT.iter().filter_map(|roles| one_of(roles, family));
-    usual.filter(|param| !moves_on(family, param)).map(named).collect()
+    let mut usual: Vec<Param> = DEFAULT.iter().filter_map(|roles| one_of(roles, family)).collect();
+    // A catalogue of one's own may name them in a group instead.
+    let actual = Selector::group("actual").resolve(family).unwrap_or_default();
+    let is_told = ACTUAL.iter().any(|role| family.role(role).is_some());
+    for Selection { param, .. } in actual.into_iter().filter(|_| !is_told) {
+        if usual.iter().all(|known| known.id != param.id) {
+            usual.push(param);
+        }
+    }
+    usual.into_iter().filter(|param| !moves_on(family, param)).map(named).collect()
+}
+
+/// The same for a run: with the parameter that takes its setpoint, where a drive tells no other one.
+pub(super) fn usual_of_run(family: &Family, setpoint: Option<&Param>) -> Vec<Item> {
+    let mut items = usual(family);
+    let tells_one = ["setpoint-ramp", "setpoint-bus"].iter().any(|role| family.role(role).is_some());
+    let is_shown = |param: &&Param| tells_one || items.iter().any(|item| item.param().id == param.id);
+    if let Some(setpoint) = setpoint.filter(|param| !is_shown(param)) {
+        let place = items.len().min(1);
+        items.insert(place, named(setpoint.clone()));
+    }
+    items
 }
 
 /// The first parameter with one of these roles; rather one of which a source tells the decimals.
@@ -351,6 +374,17 @@ fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> 
         }
     }
     Ok(items)
+}
+
+/// Nobody knows which of the parameters of a family of one's own are its actual values.
+fn nothing_usual(family: &Family) -> Failure {
+    let drive = &family.drive;
+    let message = both!(
+        "the catalogue of '{drive}' does not say what its actual values are: name the parameters to be watched",
+        "der Katalog von '{drive}' sagt nicht, was die Istwerte sind: zu beobachtende Parameter nennen"
+    );
+    Failure::new(Class::Usage, "usage.params", message)
+        .hint(both!("`antrieb params` lists them", "`antrieb params` listet sie auf"))
 }
 
 /// Whether reading a parameter again and again may change what it shows: an entry of the fault memory, of which the next

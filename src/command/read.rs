@@ -103,8 +103,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             Err(failure) => {
                 let over = is_over(&failure);
                 let selections = select(&selectors, &family, args)?;
-                haul.values.extend(unreachable(address, &selections, &family, &failure));
-                haul.failures.push(failure);
+                // Every row counts, whatever it is missing for.
+                let rows = unreachable(address, &selections, &family, &failure);
+                haul.failures.extend(std::iter::repeat_n(failure, rows.len().max(1)));
+                haul.values.extend(rows);
                 if over {
                     break;
                 }

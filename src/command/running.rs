@@ -65,6 +65,8 @@ pub(super) struct Plan<'p> {
     pub(super) keys: Option<RunKeys>,
     /// Who keeps what is changed for the run, before it is.
     pub(super) keeps: Option<Keeps<'p>>,
+    /// What takes the setpoint.
+    pub(super) setpoint: Option<Param>,
 }
 
 impl<'p> Plan<'p> {
@@ -86,6 +88,7 @@ impl<'p> Plan<'p> {
             said: false,
             keys: None,
             keeps: None,
+            setpoint: None,
         }
     }
 

@@ -297,6 +297,7 @@ impl Giving<'_> {
         plan.announce = announce(&wanted, &target.family, enable);
         plan.details.extend(wanted.told_keys(&target.family));
         plan.keys = wanted.shown_keys();
+        plan.setpoint = Some(wanted.param.clone());
         Ok((wanted, plan.aim))
     }
 

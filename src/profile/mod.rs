@@ -6,6 +6,7 @@
 
 mod broken;
 mod catalogue;
+mod cited;
 mod family;
 mod files;
 mod float;
@@ -27,6 +28,7 @@ pub mod value;
 pub use crate::text::{Lang, Text};
 pub use broken::{Broken, in_both, stumbled};
 pub use catalogue::{CatalogueFile, DriveTitle, Registry};
+pub use cited::{cited, origin};
 pub use family::{Family, LookupError, WordBit};
 pub use files::{Alters, FileRules, Goes};
 pub use link::{Cause, Holds, INPUTS, LineTable, Link, Route, input_register};

@@ -20,7 +20,7 @@ pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
 pub use finding::sheet;
 pub use outlet::{AtOnce, Outlet, Patience, Stdout, write_from_the_background};
-pub use stream::{Keep, Key, Keys, Manner, Place, Stream, View};
+pub use stream::{Keep, Key, Keys, Manner, Picture, Place, Stream, View};
 pub use wrap::wrap;
 
 use crate::text::{Wrong, both};

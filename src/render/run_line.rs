@@ -78,6 +78,10 @@ impl RunLine {
         Some((column, find(column, sample)?))
     }
 
+    fn has(&self, role: &str) -> bool {
+        self.columns.iter().any(|column| column.role == Some(role))
+    }
+
     /// Its parts in their order, each with its weight: the greatest is left out first.
     fn parts(&self, sample: &Sample) -> Vec<(u8, String)> {
         let mut parts = Vec::new();
@@ -88,6 +92,11 @@ impl RunLine {
             parts.push((0, state.name.get(self.lang).to_owned()));
         }
         parts.extend(self.speed(sample).map(|speed| (1, speed)));
+        if let Some((column, position)) = self.value(sample, &["position"]) {
+            let unit = column.unit.as_deref().unwrap_or("");
+            let text = format!("{} {} {unit}", word(self.lang, "position"), number(position));
+            parts.push((2, text.trim_end().to_owned()));
+        }
         if let Some((column, warnings)) = self.value(sample, &["warnings"]).filter(|(_, value)| value.raw != Some(0)) {
             let named = long(column, warnings, self.lang);
             let told = if named.width() > MOST { first_of(column, warnings, self.lang) } else { named };
@@ -125,6 +134,7 @@ impl RunLine {
         let text = match (given, actual) {
             (Some((given, unit)), Some((actual, of))) if unit == of => format!("{given} -> {actual} {of}"),
             (Some((given, unit)), Some((actual, of))) => format!("{given} {unit} -> {actual} {of}"),
+            (Some((given, unit)), None) if self.has("position") => format!("{given} {unit}"),
             (Some((given, unit)), None) if sample.error.is_none() => format!("{given} {unit} -> {GAP}"),
             (Some(_), None) => return None,
             (None, Some((actual, of))) => format!("{actual} {of}"),

@@ -6,12 +6,13 @@ use crate::text::{Text, both};
 /// Before anything is asked: how much there is to do.
 pub(super) fn begun(news: &SearchNews) -> Text {
     let (settings, rounds, left, most) = (news.settings, news.rounds, time(news.left_s), time(news.at_most_s));
-    let port = port(news);
+    let (port, rounds) = (port(news), Text::count(rounds as u64, ["round", "rounds"], ["Runde", "Runden"]));
     both!(
-        "{port}{settings} settings, the likeliest first, in {rounds} round(s): about {left}, at most {most}; Ctrl-C ends it and \
-         shows what was found",
-        "{port}{settings} Einstellungen, die wahrscheinlichsten zuerst, in {rounds} Runde(n): etwa {left}, höchstens {most}; \
-         Strg-C beendet sie und zeigt das Gefundene"
+        "{port}{settings} settings, the likeliest first, in {rounds}: about {left}, at most {most}; Ctrl-C ends it and shows what was \
+         found",
+        "{port}{settings} Einstellungen, die wahrscheinlichsten zuerst, in {rounds}: etwa {left}, höchstens {most}; Strg-C beendet sie \
+         und zeigt das Gefundene",
+        rounds
     )
 }
 

@@ -17,6 +17,7 @@ mod lexium;
 mod loads_over_sdo;
 mod matrix;
 mod monitor;
+mod pictures;
 mod plotting;
 mod process_data;
 mod profibus;

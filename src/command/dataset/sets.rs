@@ -12,7 +12,7 @@ use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Dataset, DatasetRow, Event, Outcome, Value, Warning, numbered};
 use crate::profile::{DataSets, Family, Param, Selector, Sets, Store, Type};
-use crate::text::both;
+use crate::text::{Text, both};
 use clap::Subcommand;
 
 #[derive(Clone, Debug, Subcommand)]
@@ -394,9 +394,11 @@ impl Work<'_> {
         told.report.rows.retain(|row| !row.equal);
         let count = told.report.rows.len();
         if count == 0 && told.failure.is_none() {
+            let all = Text::count(compared as u64, ["parameter", "parameters"], ["Parameter", "Parametern"]);
             session.tell(Event::Note(both!(
-                "data sets {a} and {b} are equal in {compared} parameter(s)",
-                "Datensatz {a} und {b} sind in {compared} Parameter(n) gleich"
+                "data sets {a} and {b} are equal in {all}",
+                "Datensatz {a} und {b} sind in {all} gleich",
+                all
             )));
         }
         let message = match count {

@@ -12,8 +12,8 @@ use crate::outcome::{
     Data, ErrorDoc, Event, KeptStep, Motion, Outcome, Procedure as Told, ProcedureRecord, ProcedureStep, StepFate,
     WriteResult, Written,
 };
-use crate::profile::Registry;
 use crate::profile::procedure::{Act, Procedure, Step};
+use crate::profile::{Registry, cited};
 use crate::text::{Text, both};
 use futures_util::future::LocalBoxFuture;
 use std::path::{Path, PathBuf};
@@ -331,7 +331,7 @@ impl<'s> Turn<'s> {
 
     /// What is done, what the manual warns of, and where it does.
     pub(super) fn details(self) -> Vec<Text> {
-        let source = both!("({source})", "({source})", source = self.step.source);
+        let source = both!("({source})", "({source})", source = cited(&self.step.source));
         let mut details = vec![self.step.does.clone()];
         details.extend(self.step.warning.clone());
         details.push(source);

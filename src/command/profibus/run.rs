@@ -10,7 +10,7 @@ use crate::args::{MotionArgs, StopArg};
 use crate::command::running::{keypad, unsent};
 use crate::command::{Context, asking};
 use crate::drive::Panel;
-use crate::drive::profibus::{self, Bounds, Course, Exchange, Lending, Mode, Ramps, Rights, Shown, WATCHDOG, Wanted};
+use crate::drive::profibus::{self, Bounds, Course, Exchange, Lending, Mode, Ramps, Rights, WATCHDOG, Wanted};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Motion, Permit, Question, Relief};
 use crate::outcome::{Data, Event, Outcome, Plan};
@@ -126,7 +126,7 @@ async fn run_it(
     if job.motion.dead_man {
         panel.needs_holding();
     }
-    let mut shown = Shown::begin(exchange, family, job.word, (wanted, job.stop(mode)));
+    exchange.show(family, job.word, (wanted, job.stop(mode)));
     if job.motion.dead_man {
         exchange.tell(Event::Note(keypad::hold_a_key()));
         // The slave is kept going meanwhile, by the stop word.
@@ -135,9 +135,9 @@ async fn run_it(
             _ => failure,
         })?;
     }
-    shown.starts(exchange);
+    exchange.starts();
     let bounds = Bounds { wait, duration: job.motion.duration, until: job.until.is_some() };
-    exchange.run(wanted, (&rights, lending), bounds, (&mut told.run, &mut shown)).await
+    exchange.run(wanted, (&rights, lending), bounds, &mut told.run).await
 }
 
 /// What a run over PROFIBUS needs, and what it does not know.

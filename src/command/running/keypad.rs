@@ -55,7 +55,7 @@ pub(super) async fn open(
         return Ok((None, before));
     }
     let verb = if plan.action == "sollwert" { "sollwert" } else { "statemachine" };
-    let items = monitor::usual(&target.family);
+    let items = monitor::usual_of_run(&target.family, plan.setpoint.as_ref());
     if plan.args.dead_man {
         panel.needs_holding();
     }

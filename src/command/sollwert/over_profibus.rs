@@ -13,13 +13,25 @@ use crate::text::{Wrong, both};
 
 pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let keypad = &args.keypad;
-    profibus::refuse(&[
-        ("--ramp", args.ramp.is_some()),
-        ("--profile", args.profile.is_some()),
-        ("--start", args.start.is_some()),
-        ("--source", args.source.is_some()),
-        ("--step", keypad.step.is_some()),
-    ])?;
+    let another = both!(
+        "the setpoint stands for the whole run: end it, and `antrieb sollwert 25Hz --enable --hold` gives another one",
+        "der Sollwert gilt für den ganzen Lauf: ihn beenden; `antrieb sollwert 25Hz --enable --hold` gibt einen anderen"
+    );
+    let own_ramps = both!(
+        "the inverter leads its own ramps: `antrieb write F002=5s F003=5s` sets them",
+        "der Umrichter führt seine eigenen Rampen: `antrieb write F002=5s F003=5s` stellt sie"
+    );
+    let refused = [
+        ("--ramp", args.ramp.is_some(), Some(own_ramps)),
+        ("--profile", args.profile.is_some(), Some(another.clone())),
+        ("--start", args.start.is_some(), None),
+        ("--source", args.source.is_some(), None),
+        ("--step", keypad.step.is_some(), Some(another)),
+    ];
+    for (option, is_given, hint) in refused {
+        let refused = profibus::refuse(&[(option, is_given)]);
+        refused.map_err(|failure| hint.map_or(failure.clone(), |hint| failure.hint(hint)))?;
+    }
     let spoken = args.mode.as_deref().map(str::parse).transpose();
     let spoken = spoken.map_err(|Wrong(why)| Failure::new(Class::Usage, "usage.mode", why))?;
     let choice = Choice { spoken, ramps: ramps(&args.options)? };

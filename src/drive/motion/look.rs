@@ -120,7 +120,7 @@ pub(super) async fn status_word(session: &mut Session<'_>, target: &mut Target) 
         Failure::new(
             Class::Data,
             "data.role",
-            both!("this drive has no status word", "dieser Antrieb hat kein Zustandswort"),
+            both!("this drive has no status word", "dieser Antrieb hat kein Statuswort"),
         )
     };
     let param = family.role("status-word").ok_or_else(none)?;

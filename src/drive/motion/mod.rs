@@ -472,7 +472,11 @@ impl<'a, 's> Motor<'a, 's> {
             AccessError::Interrupted => {
                 Failure::new(Class::Interrupted, "interrupted", both!("interrupted", "unterbrochen"))
             }
-            error => self.failure(&error),
+            error => {
+                let failure = self.failure(&error);
+                self.misses(&failure);
+                failure
+            }
         })
     }
 

@@ -92,6 +92,18 @@ struct Row {
     refused: bool,
 }
 
+impl Row {
+    fn told(&self, since: Span, target: &Target, raw: i64) -> SampleValue {
+        let kind = self.param.kind.unwrap_or(Type::Long);
+        let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
+        let mut value = describe::value(target.address, &target.family, &self.param, reading, &|_| None);
+        if let Some(word) = &mut value.word {
+            word.bits.iter_mut().for_each(|bit| bit.help = None);
+        }
+        SampleValue { t: seconds(since), value }
+    }
+}
+
 impl Watched {
     /// Begins: says what is going to be shown. `keys`: what the arrows of the keypad do.
     pub fn begin(
@@ -183,15 +195,8 @@ impl Watched {
 
     fn takes(&mut self, now: Tick, target: &Target, param: &Param, raw: i64) {
         self.silent = false;
-        let t = seconds(now.since(self.begun));
         let Some(row) = self.rows.iter_mut().find(|row| row.param.id == param.id) else { return };
-        let kind = param.kind.unwrap_or(Type::Long);
-        let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
-        let mut value = describe::value(target.address, &target.family, param, reading, &|_| None);
-        if let Some(word) = &mut value.word {
-            word.bits.iter_mut().for_each(|bit| bit.help = None);
-        }
-        row.value = Some(SampleValue { t, value });
+        row.value = Some(row.told(now.since(self.begun), target, raw));
     }
 
     /// Whether this is the first look at a fault of which the drive will tell the code in a moment.
@@ -275,8 +280,15 @@ impl Motor<'_, '_> {
         shown.news.setpoint = setpoint.map(|setpoint| setpoint.value);
         shown.news.unit = setpoint.map(|setpoint| setpoint.unit.clone()).filter(|unit| !unit.is_empty());
         shown.changes(self.session);
-        let Some((status, at)) = shown.status.filter(|_| !shown.silent) else { return };
         let oldest = seconds(now.since(shown.begun + STALE)).raw;
+        // What was given is what stands, where there was no time to ask for it.
+        if let Some(setpoint) = setpoint
+            && let Some(row) = shown.rows.iter_mut().find(|row| row.param.id == setpoint.param)
+            && row.value.as_ref().is_none_or(|value| value.t.raw < oldest)
+        {
+            row.value = Some(row.told(now.since(shown.begun), self.target, setpoint.value.raw));
+        }
+        let Some((status, at)) = shown.status.filter(|_| !shown.silent) else { return };
         let is_fresh = |value: &SampleValue| value.t.raw >= oldest;
         let values: Vec<_> = shown.rows.iter().filter_map(|row| row.value.clone().filter(is_fresh)).collect();
         let state: State = describe::state(&self.target.family, status);
@@ -286,10 +298,15 @@ impl Motor<'_, '_> {
         self.samples((now.since(at) < STALE).then_some(state), values, None);
     }
 
-    /// No valid answer came: whoever watches sees a gap, and its length, in place of what was before it.
+    /// No valid answer came, or the port is lost: whoever watches sees a gap, and its length, in place of what was before it, the first at once.
     pub(super) fn misses(&mut self, failure: &Failure) {
-        if failure.is_unheard() {
-            self.watched.iter_mut().for_each(|shown| shown.silent = true);
+        if failure.is_unheard() || failure.class == Class::Port {
+            if let Some(shown) = &mut self.watched
+                && !std::mem::replace(&mut shown.silent, true)
+                && failure.class == Class::Port
+            {
+                shown.told = None;
+            }
             self.samples(None, Vec::new(), Some(ErrorDoc::from(failure)));
         }
     }
@@ -351,8 +368,12 @@ impl Motor<'_, '_> {
         self.session.set_retries(retries);
         match status {
             Ok(status) => self.sees_status(status),
-            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => return Err(failure),
-            Err(failure) => self.misses(&failure),
+            Err(failure) => {
+                self.misses(&failure);
+                if matches!(failure.class, Class::Port | Class::Interrupted) {
+                    return Err(failure);
+                }
+            }
         }
         Ok(())
     }

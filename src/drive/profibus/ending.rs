@@ -58,6 +58,7 @@ impl Exchange<'_, '_> {
         if !self.station.is_owned() {
             return Ending::default();
         }
+        self.comes_to("stopping", None);
         let stopped = match self.stop().await {
             Err(why) if self.ours && why.code != trouble::NOT_STILL => {
                 Err(trouble::unreached(why, self.mode(), self.behind))

@@ -6,6 +6,7 @@
 
 use super::line::Line;
 use super::mode::{Mode, Seen, Words};
+use super::shown::Shown;
 use super::still::Still;
 use super::trouble;
 use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble, Unanswered};
@@ -88,6 +89,8 @@ pub struct Exchange<'l, 'a> {
     pub(super) notes: Vec<Text>,
     /// What the slave does with the motor if it loses us: P.703 as it stands, where it was told.
     pub(super) behind: Option<u32>,
+    /// What is shown of a run, if this is one.
+    pub(super) shown: Option<Shown>,
 }
 
 impl std::fmt::Debug for Exchange<'_, '_> {
@@ -127,6 +130,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             lent: Vec::new(),
             notes: Vec::new(),
             behind: None,
+            shown: None,
         }
     }
 
@@ -194,6 +198,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
                     self.still.sees(now, seen);
                     self.driven |= !self.started && seen.is_driven();
                     (self.seen, self.more) = (Some(seen), self.mode.more(data));
+                    self.shows(seen);
                 }
             }
             Cycle::Prepared | Cycle::Released => {}
@@ -214,6 +219,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             }
             // A port that takes no bytes may take them again, and the motor may run on meanwhile.
             _ if failure.is_unheard() && (self.insists || self.seen.is_some()) => {
+                self.misses(failure);
                 let now = self.line.now();
                 now < self.at_least || now.since(self.heard) < self.unheard
             }
@@ -225,6 +231,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
     pub(super) fn take_power(&mut self) {
         if let Some(words) = self.mode.coast() {
             (self.words, self.still.coasts) = (words, true);
+            self.stops_by("coast");
         }
     }
 

@@ -151,6 +151,12 @@ impl Mode {
         }
     }
 
+    /// The setpoint of these words, with the sign that their start bit gives it.
+    pub(super) fn signed(self, Words { stw, hsw }: Words) -> i64 {
+        let reverse = if self.is_basic() { RUN_REV } else { REVERSE };
+        if stw & reverse == 0 { hsw.into() } else { -i64::from(hsw) }
+    }
+
     /// What a frequency may be where a ramp ends.
     pub(super) fn slow(self) -> i32 {
         if self.is_basic() { SLOW_BASIC } else { SLOW }

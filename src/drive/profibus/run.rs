@@ -2,7 +2,6 @@
 
 use super::exchange::{Exchange, LOST, RIGHT};
 use super::mode::{Seen, Words};
-use super::shown::Shown;
 use super::state;
 use super::trouble;
 use super::words::{FULL, SMALL, Wanted, hundredths, part};
@@ -114,18 +113,18 @@ impl Exchange<'_, '_> {
         wanted: Wanted,
         (rights, lending): (&Rights, Lending),
         bounds: Bounds,
-        (run, shown): (&mut Run, &mut Shown),
+        run: &mut Run,
     ) -> Result<(), Failure> {
-        let done = self.starts(wanted, (rights, lending), bounds, (run, shown)).await;
+        let done = self.walks(wanted, (rights, lending), bounds, run).await;
         done.map_err(|failure| if failure.class == Class::Interrupted { trouble::ended() } else { failure })
     }
 
-    async fn starts(
+    async fn walks(
         &mut self,
         wanted: Wanted,
         (rights, lending): (&Rights, Lending),
         bounds: Bounds,
-        (run, shown): (&mut Run, &mut Shown),
+        run: &mut Run,
     ) -> Result<(), Failure> {
         let Bounds { wait, duration, until } = bounds;
         let (value, is_hertz) = match wanted {
@@ -160,12 +159,13 @@ impl Exchange<'_, '_> {
             }
             (part(value, maximum), maximum)
         };
+        self.is_scaled(maximum);
         self.start(Words { stw: word, hsw }, wait, run).await?;
         self.turns(hsw, wait, run).await?;
         if until {
-            self.reaches(hsw, (wait, maximum), run, shown).await?;
+            self.reaches(hsw, wait, run).await?;
         }
-        self.hold((hsw, maximum), duration, run, shown).await
+        self.hold(hsw, duration, run).await
     }
 
     /// Looks at the motor under the stop word.
@@ -311,20 +311,13 @@ impl Exchange<'_, '_> {
 
     /// Waits until the frequency is the setpoint: that alone tells, because a bit may still mean the setpoint before. A frequency that
     /// stays somewhere else for so long is no ramp.
-    async fn reaches(
-        &mut self,
-        hsw: u16,
-        (wait, maximum): (Span, i64),
-        run: &mut Run,
-        shown: &mut Shown,
-    ) -> Result<(), Failure> {
+    async fn reaches(&mut self, hsw: u16, wait: Span, run: &mut Run) -> Result<(), Failure> {
         let begun = self.line.now();
         let mut moved = (0, begun);
         loop {
             let seen = self.obeying().await?;
             let now = self.line.now();
             run.actual = Some(seen.hiw);
-            shown.sees(self, seen, maximum);
             if self.is_near(seen, hsw) {
                 return Ok(());
             }
@@ -341,21 +334,14 @@ impl Exchange<'_, '_> {
         seen.hiw.unsigned_abs().abs_diff(hsw.into()) <= self.mode().close()
     }
 
-    async fn hold(
-        &mut self,
-        (hsw, maximum): (u16, i64),
-        duration: Option<Span>,
-        run: &mut Run,
-        shown: &mut Shown,
-    ) -> Result<(), Failure> {
+    async fn hold(&mut self, hsw: u16, duration: Option<Span>, run: &mut Run) -> Result<(), Failure> {
         let end: Option<Tick> = duration.map(|duration| self.line.now() + duration);
         (run.held, self.ends) = (true, end);
-        shown.comes_to(self, "held", end);
+        self.comes_to("held", end);
         while end.is_none_or(|end| self.line.now() < end) {
             let seen = self.obeying().await?;
             run.actual = Some(seen.hiw);
             run.reached = Some(self.is_near(seen, hsw) || seen.is_reached());
-            shown.sees(self, seen, maximum);
         }
         Ok(())
     }

@@ -1,29 +1,32 @@
-//! What is shown of a run while it goes on: every cycle tells status word and frequency, so nothing is asked for it.
+//! What is known of a run that is shown: what its columns are, and what a cycle tells of them.
 
-use super::exchange::Exchange;
 use super::mode::Seen;
 use super::state;
-use super::words::Wanted;
+use super::words::FULL;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
-use crate::outcome::{
-    Column, Decimal, Event, Record, RunNews, SCHEMA_VERSION, Sample, SampleValue, StreamStart, WatchedDrive,
-};
+use crate::outcome::{Column, Decimal, ErrorDoc, RunNews, Sample, SampleValue};
 use crate::profile::{Family, Param, Type};
 use crate::tick::{Span, Tick};
 use std::rc::Rc;
 
 /// No two samples come sooner.
-const EVERY: Span = Span::from_millis(250);
-/// The actual value word (5.2), and the output frequency (5.3), which is what the Basic block tells.
+pub(super) const EVERY: Span = Span::from_millis(250);
+/// Status word (5.1), setpoint and actual value (5.2) as words; and both as frequencies (5.3), which is what the Basic block tells.
+const ZSW: u32 = 968;
+const HSW: u32 = 700;
 const HIW: u32 = 701;
+const SETPOINT: u32 = 611;
 const FREQUENCY: u32 = 614;
 
 /// What is shown of a run.
 #[derive(Debug)]
-pub struct Shown {
-    family: Rc<Family>,
-    hiw: Param,
+pub(super) struct Shown {
+    pub(super) family: Rc<Family>,
+    /// Status word, setpoint and actual value; no number names the status word of the Basic block.
+    params: Vec<Param>,
+    /// What 4000h is, in hundredths of the unit; `None` until it was measured.
+    pub(super) maximum: Option<i64>,
     begun: Tick,
     told: Option<Tick>,
     samples: u64,
@@ -31,109 +34,111 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Begins: says what is going to be shown. `stop` is how it ends, by the words of `--on-exit`.
-    pub fn begin(
-        exchange: &mut Exchange<'_, '_>,
-        family: &Rc<Family>,
-        command: &'static str,
-        (wanted, stop): (Wanted, &'static str),
+    /// Before anything was told.
+    pub(super) fn new(
+        family: Rc<Family>,
+        is_basic: bool,
+        maximum: Option<i64>,
+        (begun, news): (Tick, RunNews),
     ) -> Self {
-        let hiw = family.param_or_unknown(if exchange.mode().is_basic() { FREQUENCY } else { HIW });
-        let (begun, address) = (exchange.line.now(), exchange.address());
-        let t = Decimal { raw: 0, decimals: 6 };
-        let (raw, unit) = match wanted {
-            Wanted::Hertz(raw) => (raw, "Hz"),
-            Wanted::Percent(raw) => (raw, "%"),
-        };
-        let column = Column {
-            param: hiw.id,
-            data_set: 0,
-            store: "unknown",
-            slug: hiw.slug.clone(),
-            name: hiw.name.clone(),
-            unit: Some(unit.to_owned()),
-            role: Some("actual-frequency"),
+        let ids: &[u32] = if is_basic { &[SETPOINT, FREQUENCY] } else { &[ZSW, HSW, HIW] };
+        let params = ids.iter().map(|&id| family.param_or_unknown(id)).collect();
+        Shown { family, params, maximum, begun, told: None, samples: 0, news }
+    }
+
+    /// Its columns.
+    pub(super) fn columns(&self) -> Vec<Column> {
+        let (data_set, store) = describe::place(0);
+        let column = |param: &Param| Column {
+            param: param.id,
+            data_set,
+            store: describe::kept(store, param),
+            slug: param.slug.clone(),
+            name: param.name.clone(),
+            unit: self.news.unit.clone().filter(|_| param.id != ZSW),
+            role: Some(match param.id {
+                ZSW => "status-word",
+                HSW | SETPOINT => "setpoint-bus",
+                _ => "actual-frequency",
+            }),
             scaled: true,
-            is_word: false,
+            is_word: param.id == ZSW,
         };
-        let (port, line) = exchange.line.name();
-        let drives = vec![WatchedDrive {
-            address,
-            called: None,
-            drive: family.drive.clone(),
-            title: Some(family.title.clone()),
-            columns: vec![column],
-        }];
-        exchange.line.tell(Event::Record(Box::new(Record::Start(StreamStart {
-            t,
-            schema: SCHEMA_VERSION,
-            tool: "antrieb",
-            command,
-            port,
-            begun: exchange.line.since_1970().map(seconds),
-            line,
-            protocol: "dp",
-            interval: Some(seconds(EVERY)),
-            waits: None,
-            drives,
-        }))));
-        let news = RunNews {
-            t,
-            address,
-            phase: "waiting",
-            setpoint: Some(Decimal { raw, decimals: 2 }),
-            unit: Some(unit.to_owned()),
-            ends: None,
-            stop,
-            keys: None,
-        };
-        let mut shown = Shown { family: family.clone(), hiw, begun, told: None, samples: 0, news };
-        shown.comes_to(exchange, "waiting", None);
-        shown
+        self.params.iter().map(column).collect()
     }
 
-    /// From now on it is on its way to being held.
-    pub fn starts(&mut self, exchange: &mut Exchange<'_, '_>) {
-        self.comes_to(exchange, "starting", None);
+    /// Where the run has come to, if that is news. `end` is that of its new part.
+    pub(super) fn comes_to(&mut self, now: Tick, phase: &'static str, end: Option<Tick>) -> Option<RunNews> {
+        let (begun, is_over) = (self.begun, phase == "stopping");
+        self.changes(now, |news| {
+            news.phase = phase;
+            news.ends = end.map(|end| seconds(end.since(begun)));
+            news.setpoint = news.setpoint.filter(|_| !is_over);
+        })
     }
 
-    /// The run comes to its next part, and when that ends by itself.
-    pub(super) fn comes_to(&mut self, exchange: &mut Exchange<'_, '_>, phase: &'static str, end: Option<Tick>) {
-        self.news.phase = phase;
-        self.news.t = seconds(exchange.line.now().since(self.begun));
-        self.news.ends = end.map(|end| seconds(end.since(self.begun)));
-        exchange.line.tell(Event::Record(Box::new(Record::Run(self.news.clone()))));
+    /// By which way it is stopped, if that is news.
+    pub(super) fn stops_by(&mut self, now: Tick, stop: &'static str) -> Option<RunNews> {
+        self.changes(now, |news| news.stop = stop)
     }
 
-    /// Tells what came in a cycle; `maximum` is what 4000h is, in hundredths of the unit.
-    pub(super) fn sees(&mut self, exchange: &mut Exchange<'_, '_>, seen: Seen, maximum: i64) {
-        let now = exchange.line.now();
+    fn changes(&mut self, now: Tick, change: impl FnOnce(&mut RunNews)) -> Option<RunNews> {
+        let before = self.news.clone();
+        change(&mut self.news);
+        let t = seconds(now.since(self.begun));
+        (self.news != before).then(|| RunNews { t, ..self.news.clone() })
+    }
+
+    /// What a cycle told, or that nobody was heard, unless something was told a moment ago. `setpoint` is what is sent.
+    pub(super) fn sample(&mut self, now: Tick, setpoint: i64, heard: Result<Seen, ErrorDoc>) -> Option<Sample> {
         if self.told.is_some_and(|told| now.since(told) < EVERY) {
-            return;
+            return None;
         }
         let t = seconds(now.since(self.begun));
-        let raw = i64::from(seen.hiw);
-        let reading = Reading { set: 0, raw, text: None, kind: Type::Int, corrected: false };
-        let mut value = describe::value(exchange.address(), &self.family, &self.hiw, reading, &|_| None);
-        value.value = Some(Decimal { raw: raw * maximum / 0x4000, decimals: 2 });
-        value.unit = self.news.unit.clone();
+        let (seen, error) = heard.map_or_else(|error| (None, Some(error)), |seen| (Some(seen), None));
         let sample = Sample {
             t,
             n: self.samples,
             port: None,
-            address: exchange.address(),
+            address: self.news.address,
             called: None,
             drive: self.family.drive.clone(),
-            state: Some(state::of(seen)),
-            values: vec![SampleValue { t, value }],
-            error: None,
+            state: seen.map(state::of),
+            values: seen.map_or_else(Vec::new, |seen| self.values(t, setpoint, seen)),
+            error,
             line: None,
         };
         (self.told, self.samples) = (Some(now), self.samples + 1);
-        exchange.line.tell(Event::Record(Box::new(Record::Sample(sample))));
+        Some(sample)
+    }
+
+    fn values(&self, t: Decimal, setpoint: i64, seen: Seen) -> Vec<SampleValue> {
+        // Nothing is nothing at every scale.
+        let Some(maximum) = self.maximum.or((setpoint == 0 && seen.hiw == 0).then_some(0)) else { return Vec::new() };
+        let value = |param: &Param| {
+            let (raw, kind) = match param.id {
+                ZSW => (i64::from(seen.zsw), Type::Uint),
+                HSW | SETPOINT => (setpoint, Type::Int),
+                _ => (i64::from(seen.hiw), Type::Int),
+            };
+            let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
+            let mut value = describe::value(self.news.address, &self.family, param, reading, &|_| None);
+            match &mut value.word {
+                Some(word) => {
+                    word.state = Some(state::of(seen));
+                    word.bits.iter_mut().for_each(|bit| bit.help = None);
+                }
+                None => {
+                    value.value = Some(Decimal { raw: raw * maximum / FULL, decimals: 2 });
+                    value.unit.clone_from(&self.news.unit);
+                }
+            }
+            SampleValue { t, value }
+        };
+        self.params.iter().map(value).collect()
     }
 }
 
-fn seconds(span: Span) -> Decimal {
+pub(super) fn seconds(span: Span) -> Decimal {
     Decimal { raw: i64::try_from(span.as_micros()).unwrap_or(i64::MAX), decimals: 6 }
 }

@@ -118,11 +118,11 @@ const ROLES: [&str; 13] = [
     "stator-frequency",
     "encoder-frequency",
     "actual-speed",
+    "position",
     "current",
     "dc-link-voltage",
     "fault",
     "warnings",
     "setpoint-bus",
     "setpoint-velocity",
-    "position",
 ];

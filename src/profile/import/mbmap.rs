@@ -8,6 +8,7 @@ use crate::profile::link::INPUTS;
 use crate::profile::names::fold;
 use crate::profile::param::{Access, Type};
 use crate::text::{Text, both};
+use serde_json::error::Category;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
@@ -38,8 +39,19 @@ const LINE: &[&str] =
 pub fn mbmap(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let (text, encoding) = sheet::text_of(bytes);
     let wrong = |line: usize, error: &serde_json::Error| {
-        let why = both!("no JSON: {error}", "kein JSON: {error}", error = Text::quoted(error));
-        ImportError::at(line, why)
+        let column = error.column();
+        ImportError::at(
+            line,
+            match error.classify() {
+                Category::Eof => both!("no JSON: it ends in the middle", "kein JSON: es hört mittendrin auf"),
+                Category::Data => {
+                    both!("no JSON of a map: {error}", "kein JSON einer MBMap: {error}", error = Text::quoted(error))
+                }
+                Category::Syntax | Category::Io => {
+                    both!("no JSON from column {column} on", "ab Spalte {column} kein JSON")
+                }
+            },
+        )
     };
     let map: Map<String, Value> = serde_json::from_str(&text).map_err(|error| wrong(error.line(), &error))?;
     if map.get("mbmap") != Some(&Value::from(2)) {

@@ -9,9 +9,11 @@ use crate::profile::link::INPUTS;
 use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
 use crate::profile::paramfile::ranges;
 use crate::text::{Text, both};
+use std::ops::RangeInclusive;
 
-/// The registers that are printed with a 4 in front: 40001 is register 0, or so most makers mean it.
-const PRINTED: [std::ops::RangeInclusive<u32>; 2] = [40_001..=49_999, 400_001..=465_536];
+/// Registers as they are printed, holding registers with a 4 in front and input registers with a 3, of five digits or of six: 40001 is holding
+/// register 0 and 30001 input register 0, or so most makers mean it.
+const PRINTED: [[RangeInclusive<u32>; 2]; 2] = [[40_001..=49_999, 30_001..=39_999], [400_001..=465_536, INPUTS]];
 
 /// Lines of a list: a catalogue of 4 MB has room for fewer.
 const MOST_ROWS: usize = 50_000;
@@ -82,6 +84,16 @@ fn check_size(records: &[Record]) -> Result<(), ImportError> {
     }
 }
 
+/// The register that a printed number names, where the base is such a number.
+fn printed(number: u32, base: u32) -> Option<u32> {
+    let [holding, inputs] = PRINTED.iter().find(|areas| areas.iter().any(|area| *area.start() == base))?;
+    match number {
+        number if holding.contains(&number) => Some(number - holding.start()),
+        number if inputs.contains(&number) => Some(number - inputs.start() + INPUTS.start()),
+        _ => None,
+    }
+}
+
 /// A list while it is read.
 struct List<'a> {
     head: &'a Head,
@@ -146,14 +158,33 @@ impl List<'_> {
         }
     }
 
-    /// Register 40001 may be register 0 or register 40001: nobody but the maker knows.
+    /// Register 40001 may be register 0 or register 40001, and 30001 an input register: nobody but the maker knows.
     fn check_base(&self, records: &[Record]) -> Result<(), ImportError> {
         let ids = || records.iter().filter_map(|record| cells::id(self.get(record, "id")?));
-        let printed = PRINTED.iter().find(|range| ids().count() > 0 && ids().all(|id| range.contains(&id)));
-        let Some(first) = printed.map(|range| *range.start()).filter(|_| self.wishes.own && self.wishes.base.is_none())
+        let is_of = |areas: &&[RangeInclusive<u32>; 2]| ids().all(|id| areas.iter().any(|area| area.contains(&id)));
+        let areas = PRINTED.iter().find(is_of).into_iter().flatten();
+        // Of input registers alone six digits are our own way to name them.
+        let first = areas.filter(|area| **area != INPUTS).find(|area| ids().any(|id| area.contains(&id)));
+        let Some(first) = first.map(RangeInclusive::start).filter(|_| self.wishes.own && self.wishes.base.is_none())
         else {
             return Ok(());
         };
+        let inputs = PRINTED.iter().map(|[_, inputs]| inputs).find(|inputs| ids().any(|id| inputs.contains(&id)));
+        if let Some(inputs) = inputs {
+            let inputs = inputs.start();
+            let above = if first == inputs { first.to_string() } else { format!("{first}, {inputs}") };
+            let why = both!(
+                "the numbers lie above {above}: that may be the printed names of registers, those with a 3 of input registers, or \
+                 holding registers themselves",
+                "die Nummern liegen ab {above}: das können die gedruckten Namen von Registern sein, die mit 3 von Eingangsregistern, \
+                 oder selbst Halteregister",
+                above
+            );
+            return Err(ImportError::at(self.head.line, why).hint(both!(
+                "--base {first} takes those above {inputs} as input registers, --base 0 every number as a holding register",
+                "--base {first} nimmt die ab {inputs} als Eingangsregister, --base 0 jede Nummer als Halteregister"
+            )));
+        }
         let why = both!(
             "every number lies above {first}: it may be the printed name of register 0, or a register itself",
             "alle Nummern liegen ab {first}: das kann der gedruckte Name von Register 0 sein oder ein Register selbst"
@@ -192,6 +223,9 @@ impl List<'_> {
             both!("'{shown}' is no number of a parameter", "'{shown}' ist keine Nummer eines Parameters")
         })?;
         let base = self.wishes.base.unwrap_or(0);
+        if let Some(id) = printed(number, base).filter(|_| self.wishes.own) {
+            return Ok(id);
+        }
         let id = number.checked_sub(base);
         let is_register = |id: &u32| *id <= u16::MAX.into() || base == 0 && INPUTS.contains(id);
         id.filter(|id| !self.wishes.own || is_register(id)).ok_or_else(|| {

@@ -1,5 +1,6 @@
 //! The rows under a head line, which is the same whatever was found, each cell a plain value: of a word its hex and, in a column of
-//! their own, the names of the bits that are set; a list as its members with semicolons between them.
+//! their own, the names of the bits that are set; a list as its members with semicolons between them; a record, or a list of them, in a column
+//! for each of its fields.
 
 use super::Print;
 use crate::render::finding::{Column, Rows};
@@ -12,34 +13,68 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
     let Some(data) = &page.outcome.data else { return Ok(()) };
     let Rows { columns, mut rows } = finding::of(data).rows();
     rows.iter_mut().flat_map(|row| row.fields.values_mut()).for_each(|field| pick(field, page.manner.lang));
-    let with_bits = |column: Column| {
-        let bits = column.is_word.then(|| bits_of(&column.name));
-        std::iter::once(column.name).chain(bits)
-    };
-    let columns: Vec<String> = columns.into_iter().flat_map(with_bits).collect();
+    let columns: Vec<Place> = columns.into_iter().flat_map(|column| places(column, &[])).collect();
     let mut writer = ::csv::Writer::from_writer(out);
-    writer.write_record(&columns).map_err(io_error)?;
+    writer.write_record(columns.iter().map(Place::name)).map_err(io_error)?;
     for row in &rows {
-        writer.write_record(columns.iter().map(|column| clean(&cell(&row.fields, column)))).map_err(io_error)?;
+        writer.write_record(columns.iter().map(|place| clean(&place.cell(&row.fields)))).map_err(io_error)?;
     }
     writer.flush()
 }
 
-fn cell(fields: &Map<String, Value>, column: &str) -> String {
-    let word = column.strip_suffix(BITS).and_then(|word| fields.get(word)).filter(|word| is_word(word));
-    match (fields.get(column), word) {
-        (Some(value), _) => plain(value),
-        (None, Some(word)) => word.get("bits").map_or_else(String::new, plain),
-        (None, None) => String::new(),
+/// A column of the text: where its value lies in a row, and whether the bits of that are meant.
+struct Place {
+    path: Vec<String>,
+    is_bits: bool,
+}
+
+/// The columns of a field: its own, and that of its bits where it is a word; or those of its parts.
+fn places(column: Column, under: &[String]) -> Vec<Place> {
+    let is_record = is_record(&column);
+    let Column { name, is_word, parts, .. } = column;
+    let path: Vec<String> = under.iter().cloned().chain([name]).collect();
+    if is_record {
+        return parts.into_iter().flat_map(|part| places(part, &path)).collect();
+    }
+    let bits = is_word.then(|| Place { path: path.clone(), is_bits: true });
+    std::iter::once(Place { path, is_bits: false }).chain(bits).collect()
+}
+
+/// Whether what a field holds is told by nothing shorter than its fields.
+fn is_record(Column { is_word, parts, .. }: &Column) -> bool {
+    let has = |name: &&str| parts.iter().any(|part| part.name == **name);
+    let is_told = TOLD.iter().any(|told| told.iter().all(|name| has(&name)));
+    let is_other = ABSENT.iter().any(|name| has(&name)) || READING.iter().all(|name| has(&name)) || has(&"bit");
+    !parts.is_empty() && !is_word && !is_told && !is_other
+}
+
+impl Place {
+    fn name(&self) -> String {
+        let name = self.path.join("_");
+        if self.is_bits { name + BITS } else { name }
+    }
+
+    fn cell(&self, fields: &Map<String, Value>) -> String {
+        let Some((first, rest)) = self.path.split_first() else { return String::new() };
+        fields.get(first).map_or_else(String::new, |value| self.told(value, rest))
+    }
+
+    fn told(&self, value: &Value, path: &[String]) -> String {
+        match (value, path.split_first()) {
+            (word, None) if self.is_bits => word.get("bits").filter(|_| is_word(word)).map_or_else(String::new, plain),
+            (value, None) => plain(value),
+            (Value::Array(list), Some(_)) => {
+                let cells: Vec<_> = list.iter().map(|item| self.told(item, path)).collect();
+                // Where none of them has it there is nothing to keep apart.
+                if cells.iter().all(String::is_empty) { String::new() } else { cells.join("; ") }
+            }
+            (value, Some((first, rest))) => value.get(first).map_or_else(String::new, |part| self.told(part, rest)),
+        }
     }
 }
 
 /// What stands behind the name of a word over its bits.
 const BITS: &str = "_bits";
-
-fn bits_of(column: &str) -> String {
-    format!("{column}{BITS}")
-}
 
 fn is_word(value: &Value) -> bool {
     value.get("hex").is_some_and(Value::is_string) && value.get("bits").is_some_and(Value::is_array)
@@ -96,9 +131,13 @@ const TOLD: [&[&str]; 8] = [
     &["message"],
 ];
 
+/// What makes a record the reading of a parameter.
+const READING: [&str; 2] = ["param", "value"];
+
 /// What was read of a parameter, with its unit; empty where it was not.
 fn reading(value: &Value) -> Option<String> {
-    let (_param, number) = value.get("param").zip(value.get("value"))?;
+    let [param, number] = READING.map(|name| value.get(name));
+    let (_param, number) = param.zip(number)?;
     let unit = value.get("unit").map_or_else(String::new, plain);
     Some([plain(number), unit].join(" ").trim().to_owned())
 }

@@ -153,7 +153,7 @@ impl Page {
     /// The entry of the fault memory; number 0 is none.
     pub(super) fn memory(self, memory: &[Value]) -> Vec<(&'static str, String)> {
         if memory.first().is_some_and(|number| number.raw == Some(0)) {
-            return vec![("fault memory", self.word("none").to_owned())];
+            return vec![("fault memory", self.word("empty").to_owned())];
         }
         let label = |index| if index == 0 { "fault memory" } else { "" };
         let rows = memory.iter().enumerate();

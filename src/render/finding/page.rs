@@ -49,14 +49,17 @@ impl Page {
         items.iter().map(|item| one(self, item)).collect::<Vec<_>>().join("\n")
     }
 
-    /// A table in which columns give way, those named first, as long as the line has no room for every word of the others.
+    /// A table in which columns give way, those named first, as long as the line has no room for every word of the others. One that was to be
+    /// whole (`=`) and is named without that gives way by being broken.
     pub(super) fn yielding(self, head: &[&str], mut rows: Vec<Vec<String>>, gives_way: &[&str]) -> String {
         let mut head = head.to_vec();
         for name in gives_way {
             if self.full || self.has_room(&head, &rows) {
                 break;
             }
-            if let Some(at) = head.iter().position(|column| column == name) {
+            if let Some(whole) = head.iter_mut().find(|column| column.strip_prefix('=') == Some(*name)) {
+                *whole = *name;
+            } else if let Some(at) = head.iter().position(|column| column == name) {
                 head.remove(at);
                 rows.iter_mut().filter(|row| at < row.len()).for_each(|row| drop(row.remove(at)));
             }

@@ -3,6 +3,7 @@
 use super::page::{Page, shown};
 use super::{Finding, Rows};
 use crate::outcome::{Decimal, ParamDoc, Params};
+use crate::profile::{Lang, cited, origin};
 
 impl Finding for Params {
     fn table(&self, page: Page) -> String {
@@ -17,6 +18,24 @@ impl Finding for Params {
     }
 }
 
+/// Fields of a row that no source may have confirmed.
+const FIELDS: [(&str, &str); 14] = [
+    ("access", "Zugriff"),
+    ("bits", "Bits"),
+    ("de", "deutscher Name"),
+    ("decimals", "Nachkommastellen"),
+    ("default", "Werkseinstellung"),
+    ("en", "englischer Name"),
+    ("enum", "Texte der Werte"),
+    ("max", "größter Wert"),
+    ("min", "kleinster Wert"),
+    ("row", "die ganze Zeile"),
+    ("sets", "Datensätze"),
+    ("type", "Typ"),
+    ("unit", "Einheit"),
+    ("volatile", "ob flüchtig"),
+];
+
 impl Page {
     fn params(self, params: &[ParamDoc]) -> String {
         let rows = params.iter().map(|param| {
@@ -30,8 +49,8 @@ impl Page {
                 param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string()),
             ]
         });
-        let head = [">param", "=slug", "name", "unit", "=range", "access", "data sets"];
-        self.yielding(&head, rows.collect(), &["data sets", "access", "=range", "unit"])
+        let head = [">param", "=slug", "=name", "unit", "=range", "access", "data sets"];
+        self.yielding(&head, rows.collect(), &["data sets", "access", "=range", "name", "unit"])
     }
 
     fn param(self, param: &ParamDoc) -> String {
@@ -68,10 +87,18 @@ impl Page {
         }
         rows.extend(param.note.iter().map(|note| ("note", self.say(note))));
         if !param.unconfirmed.is_empty() {
-            rows.push(("unconfirmed", param.unconfirmed.join(", ")));
+            let fields: Vec<&str> = param.unconfirmed.iter().map(|field| self.field(field)).collect();
+            rows.push(("unconfirmed", fields.join(", ")));
         }
-        rows.push(("source", format!("{} ({})", param.source, param.origin)));
+        let [source, origin] = [cited(&param.source), origin(&param.origin)].map(|text| self.say(&text));
+        rows.push(("source", format!("{source} ({origin})")));
         self.pairs(rows)
+    }
+
+    /// What a field of a row is, in German; in English it is called as in a catalogue.
+    fn field(self, field: &str) -> &str {
+        let german = FIELDS.iter().find(|(name, _)| *name == field).filter(|_| self.lang == Lang::De);
+        german.map_or(field, |(_, german)| german)
     }
 }
 

@@ -20,6 +20,8 @@ pub(in crate::render) struct Column {
     /// It has a number and the names of its bits.
     pub(in crate::render) is_word: bool,
     is_list: bool,
+    /// Fields of what it holds, one or a list of it, where that is a record.
+    pub(in crate::render) parts: Vec<Column>,
 }
 
 /// Rows of one kind or of several.
@@ -105,20 +107,32 @@ impl Rows {
 
 impl Column {
     fn plain(name: &str) -> Self {
-        Column { name: name.to_owned(), is_word: false, is_list: false }
+        Column { name: name.to_owned(), is_word: false, is_list: false, parts: Vec::new() }
     }
 }
 
 /// The fields of a type, as its JSON Schema tells them.
 fn columns<T: JsonSchema>() -> Vec<Column> {
     let schema = SchemaGenerator::default().into_root_schema_for::<T>().to_value();
-    let fields = schema.get("properties").and_then(Value::as_object);
-    let column = |(name, field): (&String, &Value)| Column {
-        name: name.clone(),
-        is_word: forms(field, &schema).iter().any(|form| ["hex", "bits"].iter().all(|part| has(form, part))),
-        is_list: field.get("type").is_some_and(|kind| kind == "array" || kind[0] == "array"),
+    fields_of(&schema, &schema, DEPTH)
+}
+
+/// No record of ours holds others any deeper.
+const DEPTH: usize = 3;
+
+fn fields_of(form: &Value, schema: &Value, depth: usize) -> Vec<Column> {
+    let column = |(name, field): (&String, &Value)| {
+        let forms = forms(field, schema);
+        let items = forms.iter().filter_map(|form| form.get("items")).flat_map(|items| self::forms(items, schema));
+        let held = forms.iter().copied().chain(items).find(|form| form.get("properties").is_some());
+        Column {
+            name: name.clone(),
+            is_word: forms.iter().any(|form| ["hex", "bits"].iter().all(|part| has(form, part))),
+            is_list: field.get("type").is_some_and(|kind| kind == "array" || kind[0] == "array"),
+            parts: held.filter(|_| depth > 0).map_or_else(Vec::new, |held| fields_of(held, schema, depth - 1)),
+        }
     };
-    fields.into_iter().flatten().map(column).collect()
+    form.get("properties").and_then(Value::as_object).into_iter().flatten().map(column).collect()
 }
 
 /// What a field can be, wherever the schema describes it.

@@ -16,7 +16,7 @@ mod recorder;
 mod telegrams;
 mod ticker;
 
-pub use live::{Key, Keys};
+pub use live::{Key, Keys, Picture};
 pub use openmetrics::Keep;
 pub use recorder::Place;
 

@@ -4,7 +4,7 @@
 use crate::agreeable::Agreeable;
 use crate::run::antrieb;
 use antrieb::args::{Environment, Globals, Settings, below_zero};
-use antrieb::command::{Context, VERBS, sollwert};
+use antrieb::command::{Context, VERBS, monitor, sollwert};
 use antrieb::drive::{Button, Interrupt};
 use antrieb::failure::Failure;
 use antrieb::outcome::{Data, Event, Motion, Outcome, Record, RunNews, Sample};
@@ -26,6 +26,7 @@ struct Cli {
 #[derive(clap::Subcommand)]
 enum Verb {
     Sollwert(sollwert::Args),
+    Monitor(monitor::Args),
 }
 
 const ACTIVE: &str = "set = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }";
@@ -48,6 +49,8 @@ pub(super) struct Seen {
     pub(super) columns: Vec<u32>,
     pub(super) samples: Vec<Sample>,
     pub(super) notes: Vec<String>,
+    /// Records and notes in their order.
+    pub(super) story: Vec<Event>,
     /// Telegrams that went out: when, and in hex.
     pub(super) sent: Vec<(Tick, String)>,
     /// When the records began.
@@ -74,29 +77,35 @@ pub(super) fn run(
     let hand = interrupt.clone();
     let (mut telegrams, mut last, mut begun, mut columns) = (0, Tick::ZERO, None, Vec::new());
     let (mut news, mut samples, mut notes, mut sent) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let mut observe = |event: Event| match event {
-        Event::Telegram { at_us, direction, hex, .. } => {
-            (telegrams, last) = (telegrams + 1, Tick::from_micros(at_us));
-            sent.extend((direction == '>').then_some((last, hex)));
-            hand.look(last);
-            press(telegrams, last, &hand);
+    let mut story = Vec::new();
+    let mut observe = |event: Event| {
+        if matches!(event, Event::Record(_) | Event::Note(_)) {
+            story.push(event.clone());
         }
-        Event::Record(record) => match *record {
-            Record::Run(run) => {
-                if run.phase == "waiting" {
-                    hand.button(Button::Hold, last);
+        match event {
+            Event::Telegram { at_us, direction, hex, .. } => {
+                (telegrams, last) = (telegrams + 1, Tick::from_micros(at_us));
+                sent.extend((direction == '>').then_some((last, hex)));
+                hand.look(last);
+                press(telegrams, last, &hand);
+            }
+            Event::Record(record) => match *record {
+                Record::Run(run) => {
+                    if run.phase == "waiting" {
+                        hand.button(Button::Hold, last);
+                    }
+                    news.push(run);
                 }
-                news.push(run);
-            }
-            Record::Start(start) => {
-                begun = Some(last);
-                columns = start.drives.iter().flat_map(|drive| &drive.columns).map(|column| column.param).collect();
-            }
-            Record::Sample(sample) => samples.push(sample),
+                Record::Start(start) => {
+                    begun = Some(last);
+                    columns = start.drives.iter().flat_map(|drive| &drive.columns).map(|column| column.param).collect();
+                }
+                Record::Sample(sample) => samples.push(sample),
+                _ => {}
+            },
+            Event::Note(note) => notes.push(note.en.into_owned()),
             _ => {}
-        },
-        Event::Note(note) => notes.push(note.en.into_owned()),
-        _ => {}
+        }
     };
     witness::call(true);
     let mut ask = Agreeable;
@@ -110,15 +119,19 @@ pub(super) fn run(
         calls: None,
     };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-    let Verb::Sollwert(args) = &cli.verb;
-    let result = runtime.block_on(sollwert::run(args, &mut context));
+    let result = runtime.block_on(async {
+        match &cli.verb {
+            Verb::Sollwert(args) => sollwert::run(args, &mut context).await,
+            Verb::Monitor(args) => monitor::run(args, &mut context).await,
+        }
+    });
     let (motion, failure) = match result {
         Ok(Outcome { data: Some(Data::Motion(motion)), failure, .. }) => (Some(motion), failure),
         Ok(outcome) => (None, outcome.failure),
         Err(failure) => (None, Some(failure)),
     };
     let (bench, at) = witness::left().unwrap();
-    Seen { motion, failure, bench, at, news, columns, samples, notes, sent, begun }
+    Seen { motion, failure, bench, at, news, columns, samples, notes, story, sent, begun }
 }
 
 impl Seen {

@@ -2,6 +2,7 @@
 //! its end.
 
 use super::keypad::{DRIVES, Seen, run};
+use crate::pictures::are_documented;
 use antrieb::drive::Button;
 use antrieb::tick::{Span, Tick};
 use std::collections::BTreeMap;
@@ -212,4 +213,64 @@ fn the_drive_is_seen_while_the_key_is_waited_for() {
     let starting = since(&seen, "starting");
     let before: Vec<_> = seen.samples.iter().filter(|sample| sample.t.raw <= starting).collect();
     assert!(before.iter().any(|sample| sample.state.is_some()), "{before:?}");
+}
+
+/// Of a servo no source tells the address of its speed: its position and what takes the setpoint are shown.
+#[test]
+fn the_setpoint_and_the_position_of_a_servo_are_columns() {
+    let (model, keys, line) = DRIVES[2];
+    for (line, setpoint) in [(line, 6_938), ("sollwert 16384 --mode position --start absolute --enable --hold", 6_940)]
+    {
+        let seen = run((model, keys, line), "--view --duration 2s", &mut |_, _, _| {});
+        assert_eq!(seen.columns, [6_916, setpoint, 7_700], "{line} {:?}", seen.failure);
+        let last = seen.samples.iter().rfind(|sample| sample.values.len() == 3).unwrap();
+        let raw = |param| last.values.iter().find(|value| value.value.param == param).and_then(|value| value.value.raw);
+        assert!(raw(7_700).is_some_and(|position| position > 0), "{line}: {:?}", raw(7_700));
+        assert!(raw(setpoint).is_some(), "{line}");
+    }
+}
+
+/// What was seen before a port was lost is not shown as if it were of now.
+#[test]
+fn a_port_that_is_lost_is_a_gap_at_once() {
+    for (model, keys, line) in [DRIVES[0], DRIVES[2]] {
+        let keys = format!("{keys}\n[[disturb]]\nonce = 150\nkind = \"hang-up\"");
+        let seen = run((model, &keys, line), "--view --duration 30s", &mut |_, _, _| {});
+        let stopping = since(&seen, "stopping");
+        let gap = seen.samples.iter().find(|sample| sample.error.is_some()).unwrap();
+        let why = gap.error.as_ref().map(|error| error.class);
+        assert_eq!((why, gap.state.is_some(), gap.values.len()), (Some(antrieb::failure::Class::Port), false, 0));
+        let before = seen.samples.iter().filter(|sample| sample.n < gap.n);
+        assert!(before.clone().count() > 5 && before.clone().all(|sample| sample.t.raw <= gap.t.raw), "{model}");
+        assert!(gap.t.raw <= stopping, "{model}: {} {stopping}", gap.t.raw);
+    }
+}
+
+/// `docs/screens/run.*.txt`: a run that the space bar stops, on a terminal of 80 x 24.
+#[test]
+fn pictures_of_a_run_are_those_of_the_bench() {
+    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
+        300 => hand.button(Button::Stop, at),
+        telegram if telegram > 600 => hand.button(Button::End, at),
+        _ => {}
+    });
+    let moments = [
+        ("starting", 1, false),
+        ("held", 20, false),
+        ("held", 21, true),
+        ("stopping", 4, false),
+        ("ended", 4, false),
+        ("ended", 5, true),
+    ];
+    are_documented("run", &seen.story, &moments);
+    let seen = run(DRIVES[2], "--view --duration 5s", &mut |_, _, _| {});
+    are_documented("run-servo", &seen.story, &[("held", 12, false)]);
+}
+
+/// `docs/screens/view.*.txt`: the live view of `monitor`, over a drive that trips.
+#[test]
+fn pictures_of_a_watch_are_those_of_the_bench() {
+    let keys = "set = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0 }\n[[drive.event]]\nat = \"4s\"\nwarning = 0x0041\n[[drive.event]]\nat = \"9s\"\nfault = \"F0401\"\n";
+    let seen = run(("acu", keys, "monitor --interval 500ms --count 30 --unpaced"), "", &mut |_, _, _| {});
+    are_documented("view", &seen.story, &[("", 12, false), ("", 28, false)]);
 }

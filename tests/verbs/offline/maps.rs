@@ -265,3 +265,31 @@ fn a_table_can_bring_a_family_of_its_own() {
     let rows = |text: &str| text.lines().filter(|line| line.starts_with("  {")).map(str::to_owned).collect::<Vec<_>>();
     assert_eq!(rows(&again), rows(&catalogue));
 }
+
+/// 40001 and 30005 in one list: nobody but the maker knows whether they are registers or the printed names of two areas.
+#[test]
+fn printed_names_of_holding_and_of_input_registers_are_asked_for_and_told_apart() {
+    let list = "Adresse;Name;Typ\n40001;A;UINT16\n40003;B;UINT32\n30005;C;INT16\n";
+    let refused = antrieb("params import {dir}/a.csv --own meter").file("a.csv", list).exits(7);
+    assert!(refused.err.contains("--base 40001 takes those above 30001 as input registers"), "{}", refused.err);
+    let ids = |list: &str, base: u32| {
+        let line = format!("params import {{dir}}/a.csv --own meter --low-half-first --base {base}");
+        let catalogue = antrieb(&line).file("a.csv", list).exits(0).out;
+        let rows = catalogue
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("{ id = "))
+            .map(|row| row.split(',').next().unwrap_or_default().to_owned());
+        rows.filter(|id| id.bytes().all(|byte| byte.is_ascii_digit())).collect::<Vec<_>>()
+    };
+    assert_eq!(ids(list, 40_001), ["0", "2", "300005"]);
+    assert_eq!(ids(list, 0), ["40001", "40003", "30005"]);
+    let six = "Register;Name;Type\n400011;A;UINT16\n300002;B;UINT16\n";
+    antrieb("params import {dir}/a.csv --own meter").file("a.csv", six).exits(7);
+    assert_eq!(ids(six, 400_001), ["10", "300002"]);
+    let inputs = "Register;Name;Type\n30001;A;UINT16\n30002;B;UINT16\n";
+    let refused = antrieb("params import {dir}/a.csv --own meter").file("a.csv", inputs).exits(7);
+    assert!(refused.err.contains("--base 30001"), "{}", refused.err);
+    assert_eq!(ids(inputs, 30_001), ["300001", "300002"]);
+    // Six digits with a 3 in front are our own way to name an input register.
+    assert_eq!(ids("Register;Name;Type\n300001;A;UINT16\n5;B;UINT16\n", 0), ["300001", "5"]);
+}

@@ -257,3 +257,31 @@ fn csv_has_the_same_head_line_whatever_is_found() {
     }
     assert_eq!(head("scan -a 5", same, two), head("scan -a 1", same, two));
 }
+
+/// A cell is a value: what holds several has a column for each of them, and a list its members with semicolons between.
+#[test]
+fn records_stand_in_columns_of_their_own_in_csv() {
+    let cells = |line: &str, bench: &str| {
+        let run = antrieb(&format!("--lang de --format csv {line}")).on(bench).exits(0);
+        let mut reader = csv::Reader::from_reader(run.out.as_bytes());
+        let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let row = reader.records().next().unwrap().unwrap();
+        let cells: std::collections::BTreeMap<_, _> = heads.into_iter().zip(row.iter().map(str::to_owned)).collect();
+        let record = ["asked 20", "choice ramp", "tells ", "took_ms "].into_iter().find(|part| run.out.contains(part));
+        assert_eq!(record, None, "{line}: {}", run.out);
+        cells
+    };
+    let ready = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n";
+    let line = cells("-a 1 diag line --count 20", ready);
+    assert_eq!([&line["test_asked"], &line["test_replies"], &line["test_silent"]], ["20", "20", "0"]);
+    let bars: u64 = line["test_histogram_count"].split("; ").map(|bar| bar.parse::<u64>().unwrap()).sum();
+    assert_eq!(bars, 20, "{line:?}");
+    let run = cells("-a 1 --yes sollwert 10Hz --enable --hold --duration 1s", ready);
+    assert_eq!([&run["stop_choice"], &run["stop_acknowledged"], &run["stop_standing"]], ["ramp", "true", "true"]);
+    let steps =
+        ["steps_transition", "steps_control", "steps_state", "steps_took_ms"].map(|name| run[name].split("; ").count());
+    assert!(steps.iter().all(|count| *count == steps[0] && *count > 0), "{run:?}");
+    let who = cells("-a 1 identify", ready);
+    let evidence = ["asked", "answered", "tells"].map(|part| &who[&format!("evidence_{part}")]);
+    assert!(evidence.iter().all(|cell| !cell.is_empty()), "{evidence:?}");
+}

@@ -40,7 +40,15 @@ const EXCEL: &str = "\u{feff}Register;Bezeichnung;Einheit;Faktor;Typ\r\n0;\"Span
 const TYPED: &[(&str, &[&str])] = &[
     ("scan", &["scan -a 1-9", "scan -a 1-3 --baud auto"]),
     ("identify", &["identify -a 2", "identify -a 3"]),
-    ("read", &["read -a 2 @actual", "read -a 1 372@all 480-482"]),
+    (
+        "read",
+        &[
+            "read -a 2 @actual",
+            "read -a 1 372@all 480-482",
+            "read -a 3 -p sim --protocol dp 968 701 F002 --yes",
+            "read -a 5 -p sim --protocol sdo 411 480 900",
+        ],
+    ),
     ("write", &["write -a 2 480=12,5Hz --yes", "write -a 2 480=12,5Hz --dry-run"]),
     (
         "dataset",
@@ -54,11 +62,33 @@ const TYPED: &[(&str, &[&str])] = &[
             "dataset load {dir}/slow.toml -a 1 --yes",
         ],
     ),
-    ("diag", &["diag -a 1-3", "diag -a 1", "diag -a 3", "diag line -a 1-3 --count 20"]),
-    ("statemachine", &["statemachine -a 2", "statemachine enable -a 2 --yes", "statemachine disable -a 2"]),
+    (
+        "diag",
+        &[
+            "diag -a 1-3",
+            "diag -a 1",
+            "diag -a 3",
+            "diag -a 3 -p sim --protocol dp --yes",
+            "diag line -a 1-3 --count 20",
+        ],
+    ),
+    (
+        "statemachine",
+        &[
+            "statemachine -a 2",
+            "statemachine enable -a 2 --yes",
+            "statemachine disable -a 2",
+            "statemachine -a 3 -p sim --protocol dp --yes",
+        ],
+    ),
     (
         "sollwert",
-        &["sollwert -a 2", "sollwert 25Hz -a 2 --source line --enable --hold --duration 1s --yes", "sollwert 0 -a 2"],
+        &[
+            "sollwert -a 2",
+            "sollwert 25Hz -a 2 --source line --enable --hold --duration 1s --yes",
+            "sollwert 0 -a 2",
+            "sollwert 20Hz -a 3 -p sim --protocol dp --jog 2s --take-control --yes",
+        ],
     ),
     ("line", &["line show -a 1"]),
     (
@@ -82,6 +112,7 @@ const TYPED: &[(&str, &[&str])] = &[
         "decode",
         &[
             "decode 01 03 21 74 00 01 CE 2C",
+            "decode telegram 01 03 01 E0 00 01 84 00 01 03 02 04 E2 3A CD",
             "decode can 605#4074010200000000 585#427401026E050000",
             "decode status 0x0237 --drive acu",
             "decode fault F0401",
@@ -105,7 +136,16 @@ const TYPED: &[(&str, &[&str])] = &[
         "procedure",
         &["procedure list", "procedure first-contact -a 1 --dry-run", "procedure first-contact watchdog=2s -a 1 --yes"],
     ),
-    ("systembus", &["systembus plan {dir}/bus.toml", "systembus load", "systembus load 500 1 2 8"]),
+    (
+        "systembus",
+        &[
+            "systembus plan {dir}/bus.toml",
+            "systembus load",
+            "systembus show -a 5 -p sim --protocol sdo",
+            "systembus monitor -p sim --protocol sdo --duration 2s",
+            "systembus load 500 1 2 8",
+        ],
+    ),
     ("init", &["init {dir}/new.toml -a 1-9"]),
     ("plan", &["plan --config {dir}/plant.toml"]),
     ("apply", &["apply --config {dir}/plant.toml --yes"]),

@@ -39,7 +39,8 @@ fn on_a_terminal_prose_is_wrapped_between_words_and_in_a_pipe_it_is_not() {
 fn whatever_goes_wrong_is_told_within_eighty_columns() {
     for run in ["en", "de"].into_iter().flat_map(german::wrong) {
         let ended = run.columns(80).answered("n\n").run();
-        let lines = ended.out.lines().chain(ended.err.lines());
+        // A line that is refreshed is each of its states.
+        let lines = ended.out.lines().chain(ended.err.lines()).flat_map(|line| line.split('\r'));
         let long: Vec<&str> = lines.filter(|line| line.width() > 80 && line.trim().contains(' ')).collect();
         assert!(long.is_empty(), "{}: {long:#?}", ended.line);
     }
@@ -198,5 +199,45 @@ fn a_row_of_a_search_breaks_no_setting_and_no_name() {
         assert_eq!(told.matches("2400 8E1").count(), 2, "{told}");
         assert!(told.lines().all(|line| line.trim() != "Cube" && !line.ends_with("ACTIVE")), "{told}");
         assert_eq!(told.lines().filter(|line| !line.is_empty()).count(), 3, "{told}");
+    }
+}
+
+/// German is German to the end: sources, fields, states of a slave, what a library says; and one is told apart from several.
+#[test]
+fn no_english_and_no_bracketed_plural_is_left_in_german() {
+    let told = |line: &str| antrieb(&format!("--lang de {line}")).on(READY).exits(0);
+    let page = told("params 411 --drive act").out;
+    assert!(
+        page.contains("Statuswort") && page.contains("CM-485 Anleitung 9") && page.contains("eingebaut: active.toml"),
+        "{page}"
+    );
+    let page = told("params 1376").out;
+    assert!(page.contains("unbestätigt") && page.contains("englischer Name, Typ"), "{page}");
+    assert!(told("dataset diff -a 1 1 2 480").err.contains("sind in 1 Parameter gleich"), "{page}");
+    assert!(told("dataset diff -a 1 1 2 480 481").err.contains("sind in 2 Parametern gleich"), "{page}");
+    let steps = antrieb("--lang de procedure first-contact watchdog=2s -a 1 --yes").on(READY).run();
+    assert!(steps.err.contains("(CM-485 Anleitung ") && !steps.err.contains("manual"), "{}", steps.err);
+    let memory = antrieb("--lang de -a 1 diag").on("[[drive]]\nmodel = \"lxm05\"\n").exits(0).out;
+    assert!(memory.contains("Fehlerspeicher") && memory.contains("leer"), "{memory}");
+    let live = antrieb("--lang de -p sim profibus live").exits(0).out;
+    assert!(live.contains("wartet auf Set_Prm") && !live.contains("wait-prm"), "{live}");
+    for (map, told) in
+        [("{\"mbmap\": 2, \"registers\": [\n", "hört mittendrin auf"), ("{\"mbmap\": }", "ab Spalte 11 kein JSON")]
+    {
+        let err = antrieb("--lang de params import {dir}/m.json").file("m.json", map).exits(7).err;
+        assert!(err.contains(told) && !err.contains("EOF"), "{err}");
+    }
+}
+
+/// A refusal names the verb that does it.
+#[test]
+fn what_a_line_does_not_speak_has_another_verb() {
+    for (line, hint) in [
+        ("-p sim --protocol sdo sniff --duration 1s", "systembus monitor`"),
+        ("-p sim --protocol dp -a 3 sollwert 20Hz --enable --hold --step 1Hz --yes", "sollwert 25Hz --enable --hold`"),
+        ("-p sim --protocol dp -a 3 sollwert --ramp 0Hz:20Hz:4s --enable --hold --yes", "write F002=5s F003=5s`"),
+    ] {
+        let told = antrieb(line).exits(2).err;
+        assert!(told.contains(hint), "{line}: {told}");
     }
 }

@@ -154,3 +154,20 @@ fn who_loads_a_file_into_it_is_told_that_nobody_could_look_whether_it_runs() {
     let question = asked.split("[y/N]").next().unwrap();
     assert!(question.contains("the family hydra3 tells no state"), "{asked}");
 }
+
+/// Without a word about what its actual values are there is nothing to watch, and rows without a value tell nobody.
+#[test]
+fn it_is_watched_by_its_actual_values_or_by_name() {
+    let watched = hydra("monitor --count 1 --unpaced --format csv").exits(0);
+    assert!(watched.out.lines().next().unwrap().contains("speed"), "{}", watched.out);
+    let bare: String = PUMPS.split("[roles]").next().unwrap_or_default().to_owned();
+    let line = "--catalogue {dir}/bare.toml --drive hydra3 -a 5 monitor --count 1 --unpaced";
+    let refused = antrieb(line).file("bare.toml", &bare).on(BENCH).exits(2);
+    assert!(
+        refused.err.contains("name the parameters") && refused.err.contains("params` lists them"),
+        "{}",
+        refused.err
+    );
+    let line = format!("{line} speed");
+    antrieb(&line).file("bare.toml", &bare).on(BENCH).exits(0);
+}

@@ -311,3 +311,18 @@ fn a_drive_that_never_answers_is_not_asked_for_everything() {
     let told: Vec<_> = rows.data("/values").as_array().unwrap().iter().map(|row| &row["error"]["class"]).collect();
     assert_eq!(told, ["silence"; 5], "every value has its row");
 }
+
+/// A row that was left out counts as one, also of a drive that does not answer at all.
+#[test]
+fn every_row_of_a_silent_drive_is_counted() {
+    for (params, told) in [("411 372", "2 of 4 failed"), ("411 372 480", "3 of 6 failed"), ("372@all", "4 of 8 failed")]
+    {
+        let run =
+            antrieb(&format!("-a 1,9 read {params}")).on("[[drive]]\nmodel = \"act\"\naddress = 1\n").json().exits(9);
+        let message = run.value["error"]["message"].as_str().unwrap();
+        assert!(message.starts_with(told), "{params}: {message}");
+    }
+    // Where nothing was read there is one thing to say.
+    let run = antrieb("-a 9 read 411 372").on("[[drive]]\nmodel = \"act\"\naddress = 1\n").exits(4);
+    assert!(!run.err.contains(" of "), "{}", run.err);
+}

@@ -1,7 +1,9 @@
 //! The keypad of a run over PROFIBUS: a key stops it, a dead man starts it and stops it.
 
 use super::rig::{Came, Hand, RESTS, does, module};
+use crate::pictures::are_documented;
 use antrieb::drive::Button;
+use antrieb::outcome::{Event, Record};
 
 const RUN: &str = "sollwert 10Hz --enable --hold --duration 30s --take-control --watchdog 2s";
 
@@ -39,4 +41,52 @@ fn who_interrupts_is_no_key_and_without_keys_nothing_is_sent() {
     assert_eq!(came.code().1, 130);
     assert_eq!(came.stop().because, "interrupted");
     came.holds("Ctrl-C");
+}
+
+/// One watches the motor come down: the stop is told at its first telegram, and what the slave tells goes on until it stands.
+#[test]
+fn a_stop_is_shown_until_the_motor_stands() {
+    let by_key = || held("--view", &[(300, Button::Stop)]);
+    let by_signal =
+        || does(&format!("{RUN} --view"), &module(RESTS, "", ""), Hand { presses: &[300], ..Hand::default() });
+    for came in [by_key(), by_signal()] {
+        let mut columns = Vec::new();
+        let mut phase = "";
+        let mut down = Vec::new();
+        for event in &came.story {
+            let Event::Record(record) = event else { continue };
+            match &**record {
+                Record::Start(start) => columns.clone_from(&start.drives[0].columns),
+                Record::Run(news) => {
+                    phase = news.phase;
+                    assert!(phase != "stopping" || news.setpoint.is_none(), "nobody gives a setpoint any more");
+                }
+                Record::Sample(sample) => {
+                    let value = |role| {
+                        let column = columns.iter().find(|column| column.role == Some(role)).unwrap();
+                        sample
+                            .values
+                            .iter()
+                            .find(|value| column.holds(&value.value))
+                            .and_then(|value| value.value.value)
+                    };
+                    assert!(sample.state.is_some() && (phase == "starting" || value("actual-frequency").is_some()));
+                    if phase == "stopping" {
+                        down.push((value("actual-frequency").unwrap().raw, value("setpoint-bus").unwrap().raw));
+                    }
+                }
+                _ => {}
+            }
+        }
+        assert!(down.len() > 3 && down.iter().rev().is_sorted(), "{down:?}");
+        assert!(down.first().unwrap().0 > 500 && down.last().unwrap().0 == 0, "{down:?}");
+        assert!(down.iter().all(|(_, setpoint)| *setpoint == 0), "{down:?}");
+    }
+}
+
+/// `docs/screens/run-profibus.*.txt`.
+#[test]
+fn pictures_of_a_run_over_profibus_are_those_of_the_bench() {
+    let came = held("--view", &[(400, Button::Stop)]);
+    are_documented("run-profibus", &came.story, &[("held", 12, false), ("stopping", 1, false)]);
 }

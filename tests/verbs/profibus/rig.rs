@@ -51,6 +51,8 @@ pub(super) struct Came {
     pub(super) asked: Vec<Question>,
     /// What went out, and when.
     pub(super) sent: Vec<(Tick, Vec<u8>)>,
+    /// Records and notes in their order.
+    pub(super) story: Vec<Event>,
     /// The line as it was left.
     left: Option<Profibus>,
     bench: String,
@@ -126,9 +128,11 @@ pub(super) fn does(line: &str, bench: &str, hand: Hand<'_>) -> Came {
     let (asked, clock) = (Rc::new(RefCell::new(Vec::new())), Rc::new(Cell::new(Tick::ZERO)));
     let mut ask = Somebody { hand, interrupt: interrupt.clone(), asked: asked.clone(), clock: clock.clone() };
     interrupt.panel().watch(["--view", "--dead-man"].iter().any(|option| line.contains(option)));
-    let (signals, mut sent) = (interrupt.clone(), Vec::new());
+    let (signals, mut sent, mut story) = (interrupt.clone(), Vec::new(), Vec::new());
     let mut observe = |event: Event| {
-        if let Event::Telegram { at_us, direction: '>', hex, .. } = event {
+        if matches!(event, Event::Record(_) | Event::Note(_)) {
+            story.push(event);
+        } else if let Event::Telegram { at_us, direction: '>', hex, .. } = event {
             let at = Tick::ZERO + Span::from_micros(at_us);
             clock.set(at);
             hand.presses.iter().filter(|press| **press == sent.len()).for_each(|_| signals.press());
@@ -163,7 +167,7 @@ pub(super) fn does(line: &str, bench: &str, hand: Hand<'_>) -> Came {
     });
     witness::time_passes(false);
     let left = witness::left_profibus();
-    Came { outcome, asked: asked.take(), sent, left, bench: bench.to_owned() }
+    Came { outcome, asked: asked.take(), sent, story, left, bench: bench.to_owned() }
 }
 
 /// A run whose port is lost, at every ninth telegram and around `word`, which starts the motor: no shaft is left turning, and that one may

@@ -35,11 +35,14 @@ fn records_of_a_run_begin_hold_and_end() {
     let records: Vec<Value> = run.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let types: Vec<&str> = records.iter().map(|record| record["type"].as_str().unwrap()).collect();
     assert_eq!((types[0], *types.last().unwrap()), ("start", "end"), "{types:?}");
-    let samples: Vec<f64> = records
-        .iter()
+    let is_phase = |record: &Value, phase: &str| record["type"] == "run" && record["phase"] == phase;
+    let held = records.iter().skip_while(|record| !is_phase(record, "held"));
+    let samples: Vec<f64> = held
+        .take_while(|record| !is_phase(record, "stopping"))
         .filter(|record| record["type"] == "sample")
-        .map(|record| record["values"][0]["value"].as_f64().unwrap())
+        .map(|record| record["values"][2]["value"].as_f64().unwrap())
         .collect();
+    assert!(records.iter().any(|record| is_phase(record, "stopping")), "{types:?}");
     assert!((11..=14).contains(&samples.len()), "{samples:?}");
     assert!(samples.is_sorted() && (19.9..=20.0).contains(samples.last().unwrap()), "{samples:?}");
 }

@@ -3,7 +3,7 @@
 use super::past::Drive;
 use super::screen::Screen;
 use crate::render::clean;
-use crate::render::stream::cells::{GAP, find, long, short};
+use crate::render::stream::cells::{Board, GAP, find, long, number, short};
 use crate::render::wrap::wrap;
 use ratatui::Frame;
 use ratatui::layout::Rect;
@@ -18,6 +18,14 @@ impl Screen {
         let state = drive.last.as_ref().and_then(|sample| sample.state.as_ref());
         let state = state.map_or(GAP, |state| state.name.get(self.lang)).to_owned();
         let mut rows = vec![(self.word("state"), state)];
+        let board = Board { columns: drive.about.columns.clone() };
+        let drawn: Vec<_> = drive.drawn.iter().filter_map(|index| board.columns.get(*index)).collect();
+        let labels: Vec<String> = drawn.iter().map(|column| board.label(column, self.lang)).collect();
+        for (column, label) in drawn.into_iter().zip(&labels) {
+            let value = drive.last.as_ref().and_then(|sample| find(column, sample)).map_or(GAP.to_owned(), number);
+            let unit = column.unit.as_deref().unwrap_or("");
+            rows.push((label, format!("{value} {unit}").trim_end().to_owned()));
+        }
         for role in ["fault", "warnings"] {
             rows.extend(value(role).map(|(column, value)| (self.word(role), long(column, value, self.lang))));
         }

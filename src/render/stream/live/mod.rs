@@ -8,12 +8,14 @@ mod chart;
 mod diagnosis;
 mod keys;
 mod past;
+mod picture;
 mod run;
 mod screen;
 #[cfg(test)]
 mod tests;
 
 pub use keys::{Key, Keys};
+pub use picture::Picture;
 
 use super::{Form, Manner};
 use crate::outcome::Record;

@@ -32,6 +32,7 @@ impl Drive {
         };
         let setpoint = role(&["setpoint-ramp", "setpoint-bus"]);
         let actual = role(&["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed"]);
+        let actual = actual.or_else(|| role(&["position"]));
         let mut drawn: Vec<usize> = setpoint.into_iter().chain(actual).collect();
         if drawn.is_empty() {
             let numbers = about.columns.iter().enumerate().filter(|(_, column)| is_number(column));

@@ -101,6 +101,12 @@ impl Screen {
                     self.note.clear();
                     self.alarm.clear();
                 }
+                // That it runs, or how it stops, holds no more once it does not.
+                if self.run.as_ref().is_some_and(|run| run.phase != news.phase)
+                    && matches!(news.phase, "stopping" | "ended")
+                {
+                    self.notes.clear();
+                }
                 self.run = Some(news.clone());
             }
             // They are told as notes.
