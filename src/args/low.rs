@@ -391,10 +391,10 @@ fn apart(text: &str, part: &str) -> Failure {
         "'{text}': laut {PROJECT} ist {part} nicht an der Leitung der anderen"
     );
     bad_setting("address", message).with(APART, part).hint(both!(
-        "this works on one line: name its port with -p, or one call for each line; what reads, `dataset load`, `plan`, `apply` and every \
-         stop go over all",
-        "das arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; was liest, `dataset load`, `plan`, \
-         `apply` und jeder Halt gehen über alle"
+        "this works on one line: name its port with -p, or one call for each line; what reads once, `dataset load`, `plan`, `apply` and \
+         every stop go over all",
+        "das arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; was einmal liest, `dataset load`, \
+         `plan`, `apply` und jeder Halt gehen über alle"
     ))
 }
 

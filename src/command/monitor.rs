@@ -10,6 +10,7 @@ mod trigger;
 
 pub use record::recording;
 
+use super::lines::OverLines;
 use super::output::of_file;
 use super::profibus::{ModeArg, SlaveArgs};
 use super::verb::{Flow, Verb, Working};
@@ -44,7 +45,8 @@ use std::path::{Path, PathBuf};
 pub struct Args {
     /// 210, 480@2, rated-speed, @actual
     ///
-    /// Named as for `read`. [default: state, setpoint, actual frequency, current, fault, warnings]
+    /// Named as for `read`. [default: state, setpoint, actual frequency, current, fault, warnings; of LXM05 state, mode, target speed,
+    /// position]
     #[arg(value_name = "PARAMETER")]
     pub params: Vec<String>,
 
@@ -143,6 +145,13 @@ impl Verb for Args {
         "It goes on until Ctrl-C, which is its normal end, --duration, --count or the end of stdin (--gather).",
     );
     type Prints = Record;
+
+    fn over_lines(&self) -> OverLines {
+        OverLines::One(Some(both!(
+            "a watch is of one line: one for each, with its port behind -p, such as in terminals side by side",
+            "beobachtet wird eine Leitung: ein Aufruf für jede, mit ihrem Anschluss hinter -p, etwa in mehreren Terminals"
+        )))
+    }
 
     fn streams(&self) -> Option<Flow> {
         let (textfile, record) = (self.textfile.clone(), self.record.clone());
@@ -297,15 +306,23 @@ fn named(param: Param) -> Item {
     Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true, lenient: true })
 }
 
+/// What it is to do; of a servo drive the speed that the bus gives it.
+const SETPOINT: &[&str] = &["setpoint-ramp", "setpoint-bus", "setpoint-velocity"];
+
 /// What a drive does, in the order in which one of it is taken: of a servo no source tells the address of its speed.
 const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed", "position"];
 
-/// What it shall do.
-const SETPOINTS: &[&str] = &["setpoint-ramp", "setpoint-bus"];
-
 /// Roles of the default view; of several actual values one will do, and only if its decimals are known.
-const DEFAULT: [&[&str]; 7] =
-    [&["status-word"], SETPOINTS, ACTUAL, &["current"], &["dc-link-voltage"], &["fault"], &["warnings"]];
+const DEFAULT: [&[&str]; 8] = [
+    &["status-word"],
+    &["mode-active"],
+    SETPOINT,
+    ACTUAL,
+    &["current"],
+    &["dc-link-voltage"],
+    &["fault"],
+    &["warnings"],
+];
 
 /// What is shown of a drive where nobody names anything.
 pub(super) fn usual(family: &Family) -> Vec<Item> {
@@ -324,8 +341,9 @@ pub(super) fn usual(family: &Family) -> Vec<Item> {
 /// The same for a run: with the parameter that takes its setpoint, where a drive tells no other one.
 pub(super) fn usual_of_run(family: &Family, setpoint: Option<&Param>) -> Vec<Item> {
     let mut items = usual(family);
-    let is_setpoint = |role: &&str| family.role(role).is_some();
-    if let Some(setpoint) = setpoint.filter(|_| !SETPOINTS.iter().any(is_setpoint)) {
+    let tells_one = ["setpoint-ramp", "setpoint-bus"].iter().any(|role| family.role(role).is_some());
+    let is_shown = |param: &&Param| tells_one || items.iter().any(|item| item.param().id == param.id);
+    if let Some(setpoint) = setpoint.filter(|param| !is_shown(param)) {
         let place = items.len().min(1);
         items.insert(place, named(setpoint.clone()));
     }

@@ -4,7 +4,7 @@ use super::again::one_of;
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look, shout, shout_zero,
+    FirstWord, Keeps, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look, shout, shout_zero,
     watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
@@ -63,6 +63,8 @@ pub(super) struct Plan<'p> {
     pub(super) said: bool,
     /// What the arrows of the keypad do.
     pub(super) keys: Option<RunKeys>,
+    /// Who keeps what is changed for the run, before it is.
+    pub(super) keeps: Option<Keeps<'p>>,
     /// What takes the setpoint.
     pub(super) setpoint: Option<Param>,
 }
@@ -85,6 +87,7 @@ impl<'p> Plan<'p> {
             zero,
             said: false,
             keys: None,
+            keeps: None,
             setpoint: None,
         }
     }
@@ -301,6 +304,7 @@ async fn on_drive<'p, C>(
     motor.first_word = first_word;
     motor.promises.clone_from(&plan.promises);
     motor.watched = watched;
+    motor.keeps = plan.keeps;
     let mut ended = motor
         .run(plan.args.hold, choice, async |motor: &mut Motor<'_, '_>| {
             if pressed && is_command(act) {

@@ -282,6 +282,9 @@ impl Giving<'_> {
             None if zero::is_aim(args, &wanted) => zero::relief(session, target, before, &wanted).await?,
             relief => relief,
         };
+        if !self.bare && zero::is_aim(args, &wanted) {
+            zero::demand_its_own(session, target, &wanted.mode).await?;
+        }
         tells_more(session, target, plan, &wanted).await?;
         let waits = args.until.is_some() && motion.duration.is_some();
         plan.details.extend(waits.then(begins_later));
@@ -335,11 +338,16 @@ async fn carry_out(
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
     lead(motor, wanted, panel).await?;
+    let begun = motor.now();
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
     }
     match &wanted.start {
-        Some(start) => motor.travel(start).await?,
+        Some(start) => {
+            // The time of the run is that of the movement too, unless somebody waits for its end first.
+            let by = motion.duration.filter(|_| motion.hold && !until_reached).map(|span| begun + span);
+            motor.travel(start, by).await?;
+        }
         None if until_reached => {
             motor.until_reached().await?;
             as_told(motor, wanted)?;
@@ -347,7 +355,9 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        hold(motor, wanted, motion.duration, panel).await?;
+        // What is left of it behind a movement.
+        let moved = if until_reached { Span::ZERO } else { motor.now().since(begun) };
+        hold(motor, wanted, motion.duration.map(|span| span - moved), panel).await?;
     }
     Ok(())
 }

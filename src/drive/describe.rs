@@ -144,7 +144,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         old_raw: None,
         old: None,
         raw,
-        value: decimal(value::digits(param, raw).unwrap_or((raw, 0))),
+        value: scaled(param, raw).or_else(|| param.has_scale().then_some(decimal((raw, 0)))),
         unit: param.unit.clone(),
         text: family.text_of(param, raw).cloned(),
         result: WriteResult::Planned,
@@ -153,6 +153,25 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         note: (param.effective == Effective::Reset).then(|| family.link.after_reset.clone()),
         error: None,
     }
+}
+
+/// A raw integer as its value; `None` where no source tells where its point stands.
+pub fn scaled(param: &Param, raw: i64) -> Option<Decimal> {
+    value::digits(param, raw).filter(|_| param.has_scale()).map(decimal)
+}
+
+/// What a row tells as old and as new, and behind it the unit, or that they are raw.
+pub fn change(row: &Written) -> (Option<String>, String, Text) {
+    let shown = |value: Option<Decimal>, raw: i64| match value {
+        Some(value) => format_decimal(value.raw, value.decimals),
+        None => raw.to_string(),
+    };
+    let unit = match (&row.unit, row.value) {
+        (None, _) => Text::default(),
+        (Some(unit), Some(_)) => both!(" {unit}", " {unit}"),
+        (Some(unit), None) => both!(" (raw, decimals unknown: {unit})", " (roh, Nachkommastellen unbekannt: {unit})"),
+    };
+    (row.old_raw.map(|raw| shown(row.old, raw)), shown(row.value, row.raw), unit)
 }
 
 /// A setting of a file that is not written.

@@ -415,7 +415,7 @@ impl<'a> Session<'a> {
 
     /// Whether more than one answer came from an address to one question since this line was opened.
     pub(super) fn answered_twice(&self, address: u8) -> bool {
-        self.twins.contains(&address)
+        self.twins.contains(&address) || self.line.borrow().master.is_contradicted(address)
     }
 
     /// Counts of what happened on the line.

@@ -3,6 +3,8 @@
 mod census;
 mod filter;
 mod search;
+#[cfg(test)]
+mod tests;
 
 pub use filter::Filter;
 
@@ -221,6 +223,23 @@ impl Log {
     }
 }
 
+/// What was asked, and when it was said.
+struct Asked {
+    at: Tick,
+    address: Option<u8>,
+    function: Option<u8>,
+    hex: String,
+}
+
+impl Asked {
+    /// Whether a telegram whose bytes tell no direction can answer it: to a write of one register the answer is the same (V1.1b3 6.5,
+    /// 6.6).
+    fn can_be_answered_by(&self, doc: &TelegramDoc) -> bool {
+        let is_echo = matches!(doc.function, Some(5 | 6));
+        (self.address, self.function) == (doc.address, doc.function) && (!is_echo || self.hex == doc.hex)
+    }
+}
+
 /// Turns bytes and silence into telegrams in words.
 struct Ear<'r> {
     reader: Reader<'r>,
@@ -233,8 +252,8 @@ struct Ear<'r> {
     arrivals: VecDeque<Tick>,
     /// How long a reply may take.
     patience: Span,
-    /// Who was asked what last, and when: address and function code.
-    asked: Option<(Tick, Option<u8>, Option<u8>)>,
+    /// What was asked last.
+    asked: Option<Asked>,
     /// Something was heard before.
     is_in: bool,
     census: Census,
@@ -290,161 +309,29 @@ impl<'r> Ear<'r> {
         };
         // A short acknowledgement names nobody: it is of whoever was asked.
         if doc.check_ok && doc.address.is_none() && doc.direction == Some("reply") {
-            doc.address = self.asked.and_then(|(_, address, _)| address);
+            doc.address = self.asked.as_ref().and_then(|asked| asked.address);
         }
-        let same = |(then, address, function)| {
-            at.since(then) <= self.patience && (address, function) == (doc.address, doc.function)
-        };
+        let alike = doc.direction.is_none();
         // Where request and reply look alike, the first is the request; but of the very first nobody knows.
-        if doc.check_ok && doc.direction.is_none() && self.is_in && self.profibus.is_none() {
-            doc = self.reader.telegram(bytes, Some(!self.asked.is_some_and(same)));
+        if doc.check_ok && alike && self.is_in && self.profibus.is_none() {
+            let asked = self.asked.as_ref().filter(|asked| asked.can_be_answered_by(&doc));
+            let is_same = asked.is_some_and(|asked| asked.hex == doc.hex);
+            let in_time = self.census.in_time(doc.address.unwrap_or_default());
+            match asked.map(|asked| at.since(asked.at)).filter(|since| *since <= self.patience) {
+                // Behind the time that a reply takes a master may as well have asked the same again, and nothing tells which.
+                Some(since) if is_same && since > in_time => {}
+                reply => doc = self.reader.telegram(bytes, Some(reply.is_none())),
+            }
         }
         doc.at_us = Some(at.as_micros());
         doc.since_1970_us = self.since_1970.map(|span| span.as_micros() + at.as_micros());
         let piece = came.iter().filter(|then| **then == at).count() as u64;
         let last = came.last().copied().unwrap_or(at);
-        self.census.note(&doc, Came { first: at, piece, last, bytes: bytes.len() as u64 });
+        self.census.note(&doc, Came { first: at, piece, last, bytes: bytes.len() as u64, alike });
         self.is_in = true;
-        self.asked = (doc.check_ok && doc.direction != Some("reply")).then_some((at, doc.address, doc.function));
+        let (address, function) = (doc.address, doc.function);
+        let asked = Asked { at: last, address, function, hex: doc.hex.clone() };
+        self.asked = (doc.check_ok && doc.direction != Some("reply")).then_some(asked);
         doc
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::protocol::line::{LineSetting, Parity};
-    use crate::protocol::modbus::{Framing, rtu};
-    use crate::protocol::{Protocol, vabus};
-
-    const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
-    const READ: &[u8] = &[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C];
-
-    fn ear(protocol: Protocol) -> Ear<'static> {
-        let reader = Reader { protocol, node: 0, family: None, order: None };
-        let terms = Terms { thousand: LINE.chars(1_000), pause: None, patience: Span::from_millis(500), everybody: 0 };
-        let census = Census::new(terms, Tick::from_micros(0));
-        Ear::new(reader, Cutter::new(protocol, LINE), Span::from_millis(500), census)
-    }
-
-    fn rtu() -> Ear<'static> {
-        ear(Framing::Rtu.into())
-    }
-
-    fn at(ms: u64) -> Tick {
-        Tick::from_micros(ms * 1_000)
-    }
-
-    /// Sign of direction and bytes of every telegram.
-    fn short(docs: &[TelegramDoc]) -> Vec<(&'static str, &str)> {
-        let sign = |doc: &TelegramDoc| if doc.check_ok { doc.direction.unwrap_or("either") } else { "garbled" };
-        docs.iter().map(|doc| (sign(doc), doc.hex.as_str())).collect()
-    }
-
-    /// What comes of chunks however they are cut, with the silence at the end.
-    fn all_cuts(protocol: Protocol, bytes: &[u8]) -> Vec<(&'static str, String)> {
-        let run = |size: usize| {
-            let mut ear = ear(protocol);
-            let mut docs: Vec<_> = bytes.chunks(size).flat_map(|chunk| ear.feed(at(1), chunk)).collect();
-            docs.extend(ear.silence());
-            assert!(ear.arrivals.is_empty());
-            short(&docs).into_iter().map(|(sign, hex)| (sign, hex.to_owned())).collect::<Vec<_>>()
-        };
-        let whole = run(bytes.len());
-        (1..bytes.len()).for_each(|size| assert_eq!(run(size), whole, "chunks of {size}"));
-        whole
-    }
-
-    fn told(expected: &[(&'static str, &str)]) -> Vec<(&'static str, String)> {
-        expected.iter().map(|(sign, hex)| (*sign, (*hex).to_owned())).collect()
-    }
-
-    #[test]
-    fn rtu_telegrams_that_are_glued_are_parted_however_the_chunks_fall() {
-        let reply = rtu::encode(1, &[3, 2, 0x05, 0x6E]);
-        let refusal = rtu::encode(1, &[0x83, 2]);
-        let bytes = [READ, &reply, READ, &refusal].concat();
-        let expected = [
-            ("request", "01 03 21 74 00 01 CE 2C"),
-            ("reply", "01 03 02 05 6E 3A F8"),
-            ("request", "01 03 21 74 00 01 CE 2C"),
-            ("reply", "01 83 02 C0 F1"),
-        ];
-        assert_eq!(all_cuts(Framing::Rtu.into(), &bytes), told(&expected));
-    }
-
-    #[test]
-    fn noise_between_rtu_telegrams_is_told_and_costs_no_telegram() {
-        let bytes = [&[0x00, 0xFF], READ, &[0x55], READ].concat();
-        let mut ear = rtu();
-        let mut docs = ear.feed(at(1), &bytes);
-        docs.extend(ear.silence());
-        let request = ("request", "01 03 21 74 00 01 CE 2C");
-        assert_eq!(short(&docs), [("garbled", "00 FF"), request, ("garbled", "55"), request]);
-    }
-
-    #[test]
-    fn endless_noise_does_not_pile_up_and_is_left_behind() {
-        let mut ear = rtu();
-        let noise = ear.feed(at(1), &[0xFF; 2_000]);
-        assert!(noise.len() >= 6 && noise.iter().all(|doc| !doc.check_ok), "{}", noise.len());
-        assert!(ear.arrivals.len() <= 2 * rtu::MAX_FRAME);
-        ear.silence();
-        assert_eq!(short(&ear.feed(at(100), READ)), [("request", "01 03 21 74 00 01 CE 2C")]);
-    }
-
-    #[test]
-    fn a_function_code_that_nobody_knows_ends_with_silence() {
-        let mut ear = rtu();
-        let strange = rtu::encode(5, &[0x41, 1, 2, 3]);
-        assert!(ear.feed(at(1), &strange).is_empty());
-        assert_eq!(ear.ends(at(1)), Some(at(51)));
-        let docs = ear.silence();
-        assert_eq!((docs.len(), docs[0].check_ok, docs[0].function), (1, true, Some(0x41)));
-    }
-
-    #[test]
-    fn a_telegram_that_is_torn_by_the_adapter_keeps_the_time_of_its_first_byte() {
-        let mut ear = rtu();
-        assert!(ear.feed(at(7), &READ[..3]).is_empty());
-        let docs = ear.feed(at(23), &READ[3..]);
-        assert_eq!((docs.len(), docs[0].at_us), (1, Some(7_000)));
-    }
-
-    #[test]
-    fn of_telegrams_that_look_alike_the_first_is_the_request_once_something_was_heard() {
-        let write = rtu::encode(3, &[6, 0x41, 0x78, 0, 0x0F]);
-        let mut ear = rtu();
-        let directions: Vec<_> = [(0, &*write), (10, READ), (20, &write), (30, &write), (40, &write), (900, &write)]
-            .into_iter()
-            .flat_map(|(ms, bytes)| ear.feed(at(ms), bytes))
-            .map(|doc| doc.direction)
-            .collect();
-        // At 900 ms the request of 40 ms is long lost.
-        let (request, reply) = (Some("request"), Some("reply"));
-        assert_eq!(directions, [None, request, request, reply, request, request]);
-    }
-
-    #[test]
-    fn ascii_telegrams_end_with_their_line_or_with_the_next_colon() {
-        // B6h is a '6' with the parity bit that some drivers leave in.
-        let bytes = b"\r\n:01032174000166\r\n:0103:010321740001\xB66\r\n:01830";
-        let all = all_cuts(Framing::Ascii.into(), bytes);
-        let signs: Vec<_> = all.iter().map(|(sign, _)| *sign).collect();
-        assert_eq!(signs, ["garbled", "request", "garbled", "request", "garbled"]);
-    }
-
-    #[test]
-    fn vabus_is_cut_by_its_characters_and_a_check_value_of_zero_is_one() {
-        let address = vabus::Address::drive(1).unwrap();
-        let number = vabus::ParamNumber::new(372).unwrap();
-        let node = vabus::SystemNode::new(50).unwrap();
-        let header = vabus::Header { node, number, ..vabus::Header::default() };
-        let reply = |bits| vabus::Reply::Value { address, header, data: vabus::Data::word(bits) }.encode();
-        let zero = (0..u16::MAX).map(reply).find(|bytes| bytes.last() == Some(&0)).unwrap();
-        let question = vabus::Request::Enquiry { address, header }.encode();
-        let bytes = [&*question, &zero, &question, b"\x41\x15", b"\x04"].concat();
-        let signs: Vec<_> = all_cuts(Protocol::Vabus, &bytes).into_iter().map(|(sign, _)| sign).collect();
-        assert_eq!(signs, ["request", "reply", "request", "reply", "request"]);
     }
 }

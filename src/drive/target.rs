@@ -23,6 +23,8 @@ pub struct Target {
     pub(super) lacks_exchange: bool,
     /// It was asked for something whose answer cannot be mistaken.
     pub(super) introduced: bool,
+    /// What it refused to tell together with its neighbours: each is asked for alone.
+    pub(super) apart: Vec<u32>,
     /// Widths that were found out by asking, for this run.
     pub(super) widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it, or why nobody knows that any more.
@@ -42,6 +44,7 @@ impl Target {
             order: None,
             lacks_exchange: false,
             introduced: false,
+            apart: Vec::new(),
             widths: BTreeMap::new(),
             kept_register: None,
             refused_on_the_way: false,

@@ -124,10 +124,17 @@ impl Target {
         let way = self.family.link.route;
         let mut readings = Vec::new();
         let lines = params.chunk_by(|one, next| way.neighbour(one.id) == Some(next.id));
-        for chunk in lines.flat_map(|line| line.chunks(way.most())).filter(|chunk| chunk.len() > 1) {
+        let chunks = lines.flat_map(|line| line.chunks(way.most())).filter(|chunk| chunk.len() > 1);
+        for chunk in chunks {
+            if chunk.iter().any(|param| self.apart.contains(&param.id)) {
+                continue;
+            }
             match self.read_chunk(session, chunk).await {
                 Ok(chunk) => readings.extend(chunk),
                 Err(error) if error.is_fatal() => return (readings, Err(error)),
+                Err(AccessError::Refused(refusal)) if !refusal.no.passes() => {
+                    self.apart.extend(chunk.iter().map(|param| param.id));
+                }
                 Err(_) => {}
             }
         }
@@ -192,11 +199,13 @@ impl Target {
         }
     }
 
-    /// Remembers the width that turned out to be the right one.
+    /// Remembers the width that turned out to be the right one, also where a file or an option says another.
     fn found(&mut self, param: &Param, reading: Reading) -> Reading {
-        let corrected = param.kind.is_some_and(|stated| stated.bits() != reading.kind.bits());
-        if param.kind.is_none() || corrected {
-            self.widths.insert(param.id, reading.kind);
+        let usual = param.kind.filter(|stated| stated.bits() == reading.kind.bits());
+        let corrected = param.kind.is_some() && usual.is_none();
+        let is_other = |known: &Type| known.bits() != reading.kind.bits();
+        if usual.is_none() || self.widths.get(&param.id).is_some_and(is_other) {
+            self.widths.insert(param.id, usual.unwrap_or(reading.kind));
         }
         Reading { corrected, ..reading }
     }

@@ -118,6 +118,12 @@ impl Debts {
         pays
     }
 
+    /// When the reply to this was missed, asked last.
+    pub(super) fn missed(&self, station: u8, question: &Question) -> Option<Tick> {
+        let missing = &self.by_station.get(&station)?.missing;
+        missing.iter().find(|missing| missing.question == *question).map(|missing| missing.since)
+    }
+
     /// Whether this is a reply that is missing, and none that came spoilt.
     pub(super) fn is_late(&self, station: u8, said: Option<&Said>) -> bool {
         let late = |old: &Overtaken| !old.spoilt && said.is_some_and(|said| old.missing.is_answered_by(said));

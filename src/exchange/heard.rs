@@ -27,6 +27,11 @@ const UNHEARD_COPY: Span = Span::from_millis(60);
 const LONGEST_COPY: Span = Span::from_millis(100);
 /// So often answers in the words of others must have been said again until a station is one that says the same of many things.
 const ALIKE: u8 = 2;
+/// So often in a row a station must have been late until it is waited for.
+const OFTEN_LATE: u8 = 2;
+/// How much longer at most, and how much beyond what it took.
+const LATEST_WAIT: Span = Span::from_secs(1);
+const LATE_MARGIN: Span = Span::from_millis(100);
 /// Telegrams that are remembered: more than fit into the time.
 const MOST: usize = 512;
 
@@ -60,6 +65,8 @@ pub(super) struct Heard {
     alike: BTreeMap<u8, u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
+    /// How often in a row a reply of a station came behind its time, and how much later at most.
+    late: BTreeMap<u8, (u8, Span)>,
     /// The copy of the last answer is over then.
     copy_due: Option<(u8, Tick)>,
 }
@@ -179,6 +186,24 @@ impl Heard {
     /// Whether words of a moment ago may be a copy, although none of this station has come yet.
     fn may_copy(&self, station: u8) -> bool {
         self.rough && self.alike.get(&station).is_none_or(|&alike| alike < ALIKE)
+    }
+
+    /// A reply of a station came so long behind the time that was left for it.
+    pub(super) fn sees_late(&mut self, station: u8, by: Span) {
+        let late = self.late.entry(station).or_default();
+        *late = (late.0.saturating_add(1), late.1.longer(by.min(LATEST_WAIT)));
+    }
+
+    /// A station has answered in time.
+    pub(super) fn sees_prompt(&mut self, station: u8) {
+        self.late.remove(&station);
+    }
+
+    /// So much longer a station is waited for that answers late, again and again: asked anew meanwhile it owes a reply each time, and none of
+    /// its answers can be believed.
+    pub(super) fn patience(&self, station: u8) -> Span {
+        let late = self.late.get(&station).filter(|late| late.0 >= OFTEN_LATE);
+        late.map_or(Span::ZERO, |late| late.1 + Span::from_micros(late.1.as_micros() / 4) + LATE_MARGIN)
     }
 
     /// Weighs an answer. `doubtful`: garbage came before it.
@@ -347,6 +372,19 @@ mod tests {
         late.note(at(0), &BYTES, Some(&asked));
         late.sees_copy(1, at(101), &BYTES);
         assert_eq!(due(&mut late, 200), None);
+    }
+
+    #[test]
+    fn who_answers_late_again_and_again_is_waited_for_until_he_is_in_time() {
+        let mut heard = Heard::default();
+        let late = |heard: &mut Heard, ms| {
+            heard.sees_late(1, Span::from_millis(ms));
+            [heard.patience(1).as_millis(), heard.patience(2).as_millis()]
+        };
+        assert_eq!([late(&mut heard, 200), late(&mut heard, 120), late(&mut heard, 240)], [[0, 0], [350, 0], [400, 0]]);
+        assert_eq!(late(&mut heard, 6_000), [1_350, 0], "nobody is waited for without end");
+        heard.sees_prompt(1);
+        assert_eq!(late(&mut heard, 200), [0, 0]);
     }
 
     #[test]

@@ -176,6 +176,12 @@ impl Master {
         self.twins.is_marked(station)
     }
 
+    /// Whether a station has answered what was asked once in two ways, the second time unasked. Where nothing may wait for a second answer,
+    /// this is how another drive shows itself.
+    pub fn is_contradicted(&self, station: u8) -> bool {
+        self.twins.is_contradicted(station)
+    }
+
     /// The telegrams since the last call.
     pub fn take_records(&mut self) -> Vec<Record> {
         std::mem::take(&mut self.records)
@@ -349,7 +355,9 @@ impl Master {
         self.tally.repeats += u64::from(job.asked > 1 && !fence);
         self.tally.fences += u64::from(fence);
         let silence = self.dialect.silence(self.line);
-        let timeout = if job.patient { LATEST_OF_ALL } else { job.limits.reply_timeout };
+        let is_patient = job.limits.insist.is_none() && !job.limits.gives_way;
+        let late = if is_patient { self.heard.patience(job.station) } else { Span::ZERO };
+        let timeout = if job.patient { LATEST_OF_ALL } else { job.limits.reply_timeout + late };
         job.phase = if job.station == BROADCAST {
             Phase::Turnaround(sent_end + job.limits.turnaround.longer(silence))
         } else {

@@ -7,7 +7,7 @@
 
 use super::heard::COPY_WITHIN;
 use crate::tick::{Span, Tick};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// So often in a row a suspect must answer once until it is one drive; one that gave answers that differ, so much oftener.
 const SINGLES: u8 = 2;
@@ -47,6 +47,8 @@ pub(super) struct Twins {
     lost: BTreeMap<u8, u8>,
     /// How often an answer that was doubted for how it came was said again, and nothing spoke against it.
     vouched: BTreeMap<u8, u8>,
+    /// Stations of which a second answer came in other words to what was asked once, answered, and owed by nobody.
+    contradicted: BTreeSet<u8>,
 }
 
 impl Twins {
@@ -86,6 +88,16 @@ impl Twins {
         if standing.marks >= MARKS {
             standing.two = Some(now);
         }
+    }
+
+    /// A second answer came in other words, and nothing was owed: no reply that is late can be that.
+    pub(super) fn contradicts(&mut self, station: u8) {
+        self.contradicted.insert(station);
+    }
+
+    /// Whether that was so since the line was opened.
+    pub(super) fn is_contradicted(&self, station: u8) -> bool {
+        self.contradicted.contains(&station)
     }
 
     /// Two answers to one question, and nothing older could come.

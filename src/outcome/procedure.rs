@@ -1,6 +1,6 @@
 //! What `procedure` did: guided work, step by step.
 
-use super::{ErrorDoc, Motion, TelegramDoc};
+use super::{Change, ErrorDoc, Motion, TelegramDoc};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -143,6 +143,25 @@ pub struct ProcedureRecord {
     pub given: Vec<GivenValue>,
     /// Every step that was begun, in order.
     pub steps: Vec<KeptStep>,
+    /// What a run has set in the RAM of the drive for its time and not given back yet; who goes on gives it back.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lent: Vec<Lent>,
+}
+
+/// A setting that a run has changed for its time.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Lent {
+    /// Parameter number.
+    pub param: u32,
+    /// Where it was changed, as messages call it: `P.413@0ram`.
+    pub name: String,
+    /// Data set, 0-4; always in RAM.
+    pub data_set: u8,
+    /// Raw value before.
+    pub old: i64,
+    /// Raw value that was written first.
+    pub new: i64,
 }
 
 /// A step in a record.
@@ -165,6 +184,12 @@ pub struct KeptStep {
     pub error: Option<Text>,
 }
 
+impl Lent {
+    fn is_of(&self, change: &Change) -> bool {
+        (self.param, self.data_set) == (change.param, change.data_set)
+    }
+}
+
 impl ProcedureRecord {
     /// The version that is written.
     pub const VERSION: u32 = 1;
@@ -177,6 +202,20 @@ impl ProcedureRecord {
     /// A step, if it was ever begun.
     pub fn step(&self, slug: &str) -> Option<&KeptStep> {
         self.steps.iter().find(|kept| kept.step == slug)
+    }
+
+    /// Notes what a setting was before a run changes it; what it was before an earlier one that was broken off, stays noted.
+    pub fn lend(&mut self, change: &Change) {
+        let Change { param, data_set, old, new, .. } = *change;
+        if !self.lent.iter().any(|lent| lent.is_of(change)) {
+            self.lent.push(Lent { param, name: change.name.clone(), data_set, old, new });
+        }
+    }
+
+    /// Strikes out what a run has given back, if that is what it was at first.
+    pub fn take_back(&mut self, changed: &[Change]) {
+        let is_back = |lent: &Lent| changed.iter().any(|row| lent.is_of(row) && row.restored && row.old == lent.old);
+        self.lent.retain(|lent| !is_back(lent));
     }
 
     /// Puts a step in its place.

@@ -383,6 +383,9 @@ pub struct SniffedStation {
     pub replies: u64,
     /// Requests that nobody answered before the next one, or in time.
     pub unanswered: u64,
+    /// Telegrams that can be a reply that came late or the same request once more: both look alike, and none of the other counts
+    /// holds them.
+    pub either: u64,
     /// Replies that refuse.
     pub exceptions: u64,
     /// How many questions were asked again how often.

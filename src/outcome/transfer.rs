@@ -46,12 +46,12 @@ pub struct Written {
     pub store: &'static str,
     /// Raw value before; null if it could not be read.
     pub old_raw: Option<i64>,
-    /// Value before.
+    /// Value before; null as well where no source tells its decimals.
     pub old: Option<Decimal>,
     /// Raw value asked for.
     pub raw: i64,
-    /// Value asked for.
-    pub value: Decimal,
+    /// Value asked for; null where no source tells its decimals, so that only the raw one is known.
+    pub value: Option<Decimal>,
     /// Unit.
     pub unit: Option<String>,
     /// What the new value stands for.

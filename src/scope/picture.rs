@@ -202,6 +202,7 @@ impl<'s> Sheet<'s> {
     /// The band of the states; what has no room for its name has a number, told below. The height of the picture.
     fn states(&self, out: &mut String) -> f64 {
         let (mut numbered, lang): (Vec<&str>, _) = (Vec::new(), self.scene.lang);
+        let mut above: Option<(f64, bool)> = None;
         for Stretch { from, to, name, is_fault } in &self.scene.states {
             let (left, right) = (self.x(*from), self.x(*to));
             let width = (right - left).max(0.0);
@@ -224,9 +225,16 @@ impl<'s> Sheet<'s> {
                 });
                 (nth + 1).to_string()
             };
+            let middle = left + width / 2.0;
             if fits(told.chars().count()) {
-                text(out, (left + width / 2.0, BAND.1 - 7.0), "middle", "", &told);
+                text(out, (middle, BAND.1 - 7.0), "middle", "", &told);
+                continue;
             }
+            // A number that has no room either stands above the band, on the second of two lines where the last one is near.
+            let is_near = above.is_some_and(|(x, is_high)| !is_high && middle - x < LETTER * 2.0);
+            let y = BAND.0 - if is_near { 12.0 } else { 3.0 };
+            text(out, (middle, y), "middle", " font-size=\"10\"", &told);
+            above = Some((middle, is_near));
         }
         let mut y = BAND.1 + 8.0;
         for (nth, name) in numbered.iter().take(LISTED).enumerate() {

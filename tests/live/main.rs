@@ -10,4 +10,5 @@ mod gathering;
 mod keypad;
 mod program;
 mod reconnect;
+mod saving;
 mod signals;

@@ -30,10 +30,16 @@ fn both_points_are_adjusted_and_shown_to_be() {
 
 #[test]
 fn a_voltage_that_never_came_is_not_called_adjusted() {
-    // 0 V counts as 10 V: nothing is adjusted, and P.253 says so.
+    // 0 V lie there still: they are not made to count as 10 V.
     let told = antrieb(LINE).on(&bench("900s")).json().exits(1);
-    assert_eq!(told.error()["code"], "no.adjusted");
+    assert_eq!(told.error()["code"], "no.voltage");
     assert_eq!((told.data("/steps/2/result"), told.data("/steps/3/result")), (&"done".into(), &"failed".into()));
+    assert_eq!(witness::left().unwrap().0.drives().next().unwrap().eeprom_writes(), 1, "P.568 = 1 alone");
+    // 10 V lie there from the beginning, and are not made to count as 0 V.
+    let told = antrieb(LINE).on(&bench("0s")).json().exits(1);
+    assert_eq!((told.error()["code"].as_str(), told.data("/steps/2/result")), (Some("no.voltage"), &"failed".into()));
+    assert!(told.error()["message"].to_string().contains("cannot be 0 V: nothing was written"), "{}", told.error());
+    assert_eq!(witness::left().unwrap().0.drives().next().unwrap().eeprom_writes(), 0);
 }
 
 #[test]

@@ -93,6 +93,58 @@ fn a_nameplate_that_cannot_be_so_is_refused_with_words_before_anything_is_sent()
     assert!(servo.err.contains("no manual describes"), "{}", servo.err);
 }
 
+/// A test at which nothing turns proves nothing, a fast one is none at low speed, and 0 is no watchdog.
+#[test]
+fn a_test_that_proves_nothing_is_refused_before_anything_is_sent() {
+    for (given, word) in [
+        ("test=0Hz", "1 to 10 Hz"),
+        ("test=0.2Hz", "1 to 10 Hz"),
+        ("test=45Hz", "1 to 10 Hz"),
+        ("test=-5Hz", "1 to 10 Hz"),
+        ("ramp=4Hz", "more than the frequency of the tests"),
+        ("watchdog=0s", "0 would be no watchdog"),
+        ("watchdog=1500ms", "whole multiple of 1 s"),
+    ] {
+        let told = antrieb(&commission(&format!("{PLATE} {given}"))).on(ACT).and("-v").exits(7);
+        assert!(told.err.contains(word) && told.sent().is_empty(), "{given}: {}", told.err);
+        assert!(!told.directory().join(RECORD).exists(), "{given}");
+    }
+}
+
+/// A drive from the factory, whose contacts are closed: behind the reset of a fault they could start it under its own P.412.
+#[test]
+fn a_control_mode_that_must_stay_is_asked_for_and_is_an_agreed_end() {
+    let bench = "[[drive]]\nmodel = \"acu\"\ntorque = 20\nset = { \"418\" = 0, \"412\" = 44 }\n";
+    let told = antrieb(&commission(PLATE)).on(bench).json().exits(0);
+    assert!(told.data("/complete") == true, "{:#}", told.value);
+    let found = told.data("/steps/8/found").to_string();
+    assert!(found.contains("P.412@1ram stays 1 (was 44), as agreed"), "{found}");
+    assert!(told.err.contains("such an end is agreed to here"), "{}", told.err);
+    let (bench, _) = witness::left().unwrap();
+    assert_eq!((bench.drives().next().unwrap().ram(412, 1), bench.totals().turning), (Some(1), 0));
+}
+
+/// As a killed run leaves a drive: its record says what stood before.
+#[test]
+fn what_a_killed_run_has_left_goes_back_or_is_named() {
+    let line = format!("-a 1 procedure commission {PLATE}");
+    let first = antrieb(&line).answered("y\ny\ny\nn").on(ACT).exits(1);
+    let mut kept: serde_json::Value = serde_json::from_str(&first.text_of(RECORD)).unwrap();
+    kept["lent"] = serde_json::json!([
+        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "new": 2 },
+        { "param": 412, "name": "P.412@1ram", "data_set": 1, "old": 44, "new": 1 },
+        { "param": 434, "name": "P.434@1ram", "data_set": 1, "old": 3, "new": 2 },
+    ]);
+    let left = ACT.replace("\"412\" = 1", "\"412\" = 1, \"413\" = 2, \"434@1ram\" = 2");
+    let told = antrieb(&format!("{} --again", commission(PLATE))).file(RECORD, &kept.to_string()).on(&left).json();
+    let told = told.exits(0);
+    let found = told.data("/steps/4/found").to_string();
+    assert!(found.contains("P.412@1ram stays 1 (was 44)") && found.contains("P.434@1"), "{found}");
+    let (bench, _) = witness::left().unwrap();
+    let drive = bench.drives().next().unwrap();
+    assert_eq!((drive.ram(434, 1), drive.ram(413, 0), drive.ram(412, 1)), (Some(3), Some(0), Some(1)));
+}
+
 #[test]
 fn a_data_set_in_which_the_drive_does_not_work_is_not_tested() {
     let told = antrieb(&commission(&format!("{PLATE} data-set=2"))).on(ACT).json().exits(8);

@@ -75,6 +75,16 @@ fn who_answers_must_be_who_was_meant() {
     assert!(told.data("/steps/5/found").to_string().contains("MBnode_guard"), "{:#}", told.value);
 }
 
+/// Until the drive has told who it is, the steps are those of a family that is taken for granted, and say so.
+#[test]
+fn before_anybody_has_asked_the_steps_name_the_family_that_they_are_for() {
+    let told = antrieb("-a 1 procedure first-contact").answered("n").on("[[drive]]\nmodel = \"lxm05\"\n").exits(8);
+    assert!(told.err.contains("This is the step for act, acu") && told.err.contains("--drive"), "{}", told.err);
+    let named =
+        antrieb("-a 1 --drive lxm05 procedure first-contact").answered("n").on("[[drive]]\nmodel = \"lxm05\"\n");
+    assert!(!named.exits(8).err.contains("This is the step for"));
+}
+
 #[test]
 fn what_stands_in_the_way_is_told_before_anything_is_sent() {
     let kept = antrieb("-a 1 procedure first-contact").answered("y\nn").on(ACT).exits(8).text_of(NAME);
@@ -86,6 +96,7 @@ fn what_stands_in_the_way_is_told_before_anything_is_sent() {
         (2, "-a 1 --yes procedure first-contact watchdog", "KEY=VALUE"),
         (2, "-a 1 --yes procedure first-contact power=1", "knows no value 'power'"),
         (7, "-a 1 --yes procedure first-contact watchdog=30000s", "P.413"),
+        (7, "-a 1 --yes procedure first-contact watchdog=0s", "no watchdog"),
         (7, "-a 1 --yes --drive x200 procedure first-contact", "no manual describes"),
         (7, "-a 1 --yes procedure first-contact --record {dir}/bench.toml", "no record of a procedure"),
         (7, "-a 2 --yes procedure first-contact --record {dir}/kept.json", "with drive 1"),

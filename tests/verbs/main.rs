@@ -14,6 +14,7 @@ mod german;
 mod guided;
 mod judge;
 mod lexium;
+mod loads_over_sdo;
 mod matrix;
 mod monitor;
 mod pictures;
@@ -33,6 +34,7 @@ mod parameters {
     mod at_every_telegram;
     mod comparing;
     mod ends;
+    mod equal;
     mod groups;
     mod interrupted;
     mod loading;
@@ -91,6 +93,7 @@ mod motion {
     mod leftovers;
     mod moments;
     mod narrow;
+    mod others;
     mod otherwise;
     mod pressed;
     mod proofs;
@@ -100,6 +103,7 @@ mod motion {
     mod rig;
     mod rounds;
     mod runs;
+    mod second;
     mod several;
     mod short_of_time;
     mod shown;

@@ -5,6 +5,9 @@ use crate::run::antrieb;
 use serde_json::{Value, json};
 
 const RECORD: &str = include_str!("record.csv");
+/// Enabled twice for 4 s, on its way up by 5 Hz/s.
+const TWICE: &str = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
+    [[drive.event]]\nat = \"2s\"\nenable = true\nfor = \"4s\"\n[[drive.event]]\nat = \"16s\"\nenable = true\nfor = \"4s\"\n";
 
 /// The bench's motor follows straight ramps of 5 Hz/s: no overshoot, and within 2 % of 25 Hz after 4.9 s.
 #[test]
@@ -85,6 +88,48 @@ fn the_record_of_a_trip_says_what_it_was() {
     assert_eq!((&marks[1]["kind"], &marks[1]["text"]), (&json!("trigger"), &json!("state -> fault")));
     let columns: Vec<_> = run.data("/curves").as_array().unwrap().iter().map(|curve| curve["axis"].clone()).collect();
     assert_eq!(columns, ["left", "left", "right"]);
+}
+
+/// Of a record with two pieces nobody knows what lay between them: no line, no mean and no response goes over it.
+#[test]
+fn between_the_pieces_of_a_record_nothing_is_drawn_or_measured() {
+    for file in ["pieces.ndjson", "pieces.csv"] {
+        let line = "-a 1 monitor --interval 100ms --duration 24s --unpaced --pre 1s --post 1s --trigger 'frequency rising 10Hz'";
+        let run = antrieb(&format!("{line} --record {{dir}}/{file}")).on(TWICE).exits(0);
+        let drawn = run.then(&format!("plot {{dir}}/{file} --svg {{dir}}/x.svg")).exits(0);
+        let svg = drawn.text_of("x.svg");
+        // The setpoint is dashed: once in the legend, and once for each piece.
+        assert_eq!(
+            (svg.matches(">gap<").count(), svg.matches("stroke-dasharray=\"9 5\"").count()),
+            (1, 1 + 2),
+            "{file}"
+        );
+        let plot = drawn.then(&format!("plot {{dir}}/{file} --measure")).json().exits(0);
+        let gaps = plot.data("/gaps").as_array().unwrap();
+        let [gap] = &gaps[..] else { panic!("{file}: {gaps:#?}") };
+        let (from, to) = (gap["from"].as_f64().unwrap(), gap["to"].as_f64().unwrap());
+        assert!((4.9..5.3).contains(&from) && (16.9..17.3).contains(&to), "{file}: {gap}");
+        // Seen on its way up twice, never down from one piece to the next.
+        let told = plot.data("/responses").as_array().unwrap();
+        let falls = |told: &&Value| told["end"].as_f64() < told["start"].as_f64();
+        assert!(!told.iter().any(|told| falls(&told)), "{file}: {told:#?}");
+    }
+}
+
+/// A shaft that lost its power by a trip, or because somebody took its enable, followed no setpoint.
+#[test]
+fn a_trip_and_a_coast_are_no_responses() {
+    for (bench, kinds) in [(TRIPS, 1), (TWICE, 0)] {
+        for file in ["run.ndjson", "run.csv"] {
+            let line = "-a 1 monitor --interval 100ms --duration 14s --unpaced --record {dir}";
+            let run = antrieb(&format!("{line}/{file}")).on(bench).exits(0);
+            let plot = run.then(&format!("plot {{dir}}/{file} --measure")).json().exits(0);
+            let told = plot.data("/responses").as_array().unwrap();
+            assert!(told.len() == 1 && told[0]["end"].as_f64() > Some(10.0), "{file}: {told:#?}");
+            let marks = plot.data("/marks").as_array().unwrap();
+            assert_eq!(marks.iter().filter(|mark| mark["kind"] == "fault").count(), kinds, "{file}: {marks:#?}");
+        }
+    }
 }
 
 /// The port is exclusive, so a run is recorded by itself. Its stop ends what is measured; the motor of the bench runs up with 5 Hz/s.

@@ -44,9 +44,9 @@ fn a_triggered_record_of_a_trip_holds_the_two_seconds_before_it() {
     assert!((9.0..9.3).contains(&at), "{at}");
     let samples = of_type(&records, "sample");
     let (first, last) = (seconds(samples[0]), seconds(samples.last().unwrap()));
-    // From the first round that is not older than two seconds, to five seconds behind.
+    // From the last round that began two seconds before it, to five seconds behind.
     let step = seconds(samples[1]) - first;
-    assert!((at - 2.0..at - 2.0 + step).contains(&first), "{first} before {at}");
+    assert!((at - 2.0 - step..=at - 2.0).contains(&first), "{first} before {at}");
     assert!((at + 5.0 - step..=at + 5.0).contains(&last), "{last} behind {at}");
     // No round is left out, and every value has its own time.
     let numbers: Vec<_> = samples.iter().map(|sample| sample["n"].as_u64().unwrap()).collect();
@@ -56,12 +56,105 @@ fn a_triggered_record_of_a_trip_holds_the_two_seconds_before_it() {
         assert!(times.windows(2).all(|pair| pair[0] < pair[1]) && times[0] > seconds(sample), "{times:?}");
         // The round in which it trips has seen the drive running, and stopped.
         let (t, turns) = (seconds(sample), value(sample, "stator-frequency") > 24.0);
-        assert!((t >= at || turns || t > at - 2.0 * step) && !(t >= at && turns), "{sample:#}");
+        assert!((t >= at || turns || t > at - 2.0 * step) && !(t > at && turns), "{sample:#}");
     }
     assert_eq!(records.last().unwrap()["summary"]["because"], "trigger");
     // What was printed went on as ever: from the start.
     assert_eq!(self::records(&run.out)[1]["t"], 0.0);
     assert!(run.err.contains("trigger at 9."), "{}", run.err);
+}
+
+/// Once a second: the trigger comes with the first sample of the fault, and two whole seconds lie before it.
+#[test]
+fn the_time_before_a_trigger_is_covered_however_seldom_it_is_looked() {
+    for (interval, least) in [("1s", 2), ("3s", 1), ("700ms", 3)] {
+        let line =
+            format!("-a 1 monitor --interval {interval} --duration 20s --unpaced --json --record {{dir}}/trip.ndjson");
+        let run = antrieb(&format!("{line} --trigger 'state -> fault' --once --pre 2s")).on(TRIPS).exits(0);
+        let records = records(&run.text_of("trip.ndjson"));
+        let trip = seconds(of_type(&records, "trip")[0]);
+        let at = seconds(of_type(&records, "trigger")[0]);
+        assert_eq!(trip, at, "{interval}: the trigger comes with the trip");
+        let before = of_type(&records, "sample").into_iter().filter(|sample| seconds(sample) < at).collect::<Vec<_>>();
+        assert!(before.len() >= least && seconds(before[0]) <= at - 2.0, "{interval}: {before:#?}");
+        assert!(before[1..].iter().all(|sample| seconds(sample) > at - 2.0), "{interval}: no more than is needed");
+    }
+    let none =
+        antrieb("-a 1 monitor 210 --interval 100ms --duration 24s --unpaced --json --record {dir}/x.ndjson --pre 0s")
+            .and("--trigger 'state -> fault'")
+            .on(TRIPS)
+            .exits(0);
+    let records = records(&none.text_of("x.ndjson"));
+    assert_eq!(seconds(of_type(&records, "sample")[0]), seconds(of_type(&records, "trigger")[0]));
+}
+
+/// Nobody watches what ails it: it is asked for that once, at the trip.
+#[test]
+fn the_fault_is_read_at_the_trip_where_nobody_watches_it() {
+    let line = "-a 1 monitor 283 210 411 --interval 100ms --duration 12s --unpaced --json -v";
+    let run = antrieb(line).on(TRIPS).exits(0);
+    let records = records(&run.out);
+    assert_eq!(of_type(&records, "trip")[0]["fault"]["key"], "F0500", "{}", run.out);
+    assert_eq!(run.sent().iter().filter(|sent| sent.starts_with("01 03 01 04")).count(), 1, "P.260 is asked once");
+    let servo = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n[[drive.event]]\nat = \"4s\"\nfault = \"E2300\"\n";
+    let run = antrieb("-a 3 monitor --interval 100ms --duration 6s --unpaced --json -v").on(servo).exits(0);
+    let records = self::records(&run.out);
+    assert_eq!(of_type(&records, "trip")[0]["fault"]["key"], "E2300", "{}", run.out);
+    let columns = records[0]["drives"][0]["columns"].as_array().unwrap();
+    let slugs: Vec<_> = columns.iter().filter_map(|column| column["slug"].as_str()).collect();
+    assert_eq!(slugs, ["status-word", "active-mode", "profile-velocity", "actual-position"]);
+}
+
+/// The manual's worked example (LXM05 manual 5.3): what lies next to each other is one question.
+#[test]
+fn neighbours_of_a_servo_drive_are_watched_in_one_telegram() {
+    let servo = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+    let line = "-a 3 --drive lxm05 monitor 15366 15362 15364 6916 --count 10 --interval 0 --unpaced --json -v";
+    let run = antrieb(line).on(servo).exits(0);
+    let count = |start: &str| run.sent().iter().filter(|sent| sent.starts_with(start)).count();
+    assert_eq!((count("03 03 3C 02 00 06"), count("03 03 3C 02 00 02"), count("03 03 3C 04")), (10, 0, 0));
+    let samples = records(&run.out);
+    for sample in of_type(&samples, "sample") {
+        assert!(sample["values"].as_array().unwrap().iter().all(|value| value["raw"].is_i64()), "{sample:#}");
+    }
+    // Who refuses them together is asked for each, and not again for all.
+    let own = "schema = 1\nfamily = \"lexium05\"\nparams = [{ id = 15370, slug = \"more\", en = \"more\", de = \"mehr\", type = \"long\", \
+               decimals = 0, access = \"r\" }]\n";
+    let line = line.replace("15366 15362 15364 6916", "15368 15370") + " --catalogue {dir}/own.toml";
+    let run = antrieb(&line).on(servo).file("own.toml", own).exits(9);
+    let count = |start: &str| run.sent().iter().filter(|sent| sent.starts_with(start)).count();
+    assert_eq!((count("03 03 3C 08 00 04"), count("03 03 3C 08 00 02")), (1, 10), "{:?}", run.sent());
+}
+
+/// Two families that call different parameters the same: no heading stands for two columns.
+#[test]
+fn no_two_columns_have_one_heading() {
+    let both = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+    for addresses in ["1,3", "1,3,9"] {
+        let line =
+            format!("-a {addresses} monitor --count 3 --interval 100ms --unpaced --format csv --record {{dir}}/r.csv");
+        let run = antrieb(&line).on(both).run();
+        let text = run.text_of("r.csv");
+        let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+        let mut once = head.clone();
+        once.sort_unstable();
+        once.dedup();
+        assert_eq!(once.len(), head.len(), "{head:?}");
+        assert!(head.contains(&"status-word.411") && head.contains(&"status-word.6916_bits"), "{head:?}");
+        run.then("plot {dir}/r.csv -a 1").exits(0);
+    }
+}
+
+/// A short name means what a family is known to have, and never whatever else begins with it.
+#[test]
+fn a_short_name_that_a_family_lacks_is_refused() {
+    for (drive, name, there) in [("act", "voltage", "current"), ("lxm05", "current", "setpoint, actual")] {
+        let line = format!("-p sim -a 1 --drive {drive} monitor --count 2 --unpaced --trigger '{name} > 5'");
+        let run = antrieb(&line).exits(7);
+        assert!(run.err.contains(&format!("is '{name}' (there is: ")) && run.err.contains(there), "{}", run.err);
+    }
+    let state = antrieb("-p sim -a 1 monitor --count 2 --unpaced --trigger 'state = fault'").exits(2);
+    assert!(state.err.contains("'state -> fault'") && !state.err.contains("P.392"), "{}", state.err);
 }
 
 #[test]

@@ -139,6 +139,8 @@ enum Verb {
 }
 
 struct Seen {
+    /// The record as it stood on the disk at each telegram, where it was another one than before.
+    records: Vec<String>,
     telegrams: usize,
     failure: Option<Failure>,
     bench: Bench,
@@ -154,11 +156,15 @@ fn interrupted(directory: &Path, bench: &str, step: usize) -> Seen {
     let cli = Cli::parse_from(line.split_whitespace());
     let environment = Environment { directory: directory.to_owned(), ..Environment::default() };
     let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
-    let (interrupt, mut telegrams) = (Interrupt::default(), 0);
+    let (interrupt, mut telegrams, mut records) = (Interrupt::default(), 0, Vec::new());
     let wish = interrupt.clone();
     let mut observe = |event: Event| {
         if matches!(event, Event::Telegram { .. }) {
             telegrams += 1;
+            let record = std::fs::read_to_string(directory.join(RECORD)).unwrap_or_default();
+            if records.last() != Some(&record) {
+                records.push(record);
+            }
             if telegrams == step {
                 wish.press();
             }
@@ -181,7 +187,7 @@ fn interrupted(directory: &Path, bench: &str, step: usize) -> Seen {
     let outcome = runtime.block_on(procedure::run(args, &mut context)).unwrap_or_else(Outcome::from);
     let told = serde_json::to_string(&outcome.data).unwrap_or_default();
     let (bench, at) = witness::left().unwrap();
-    Seen { telegrams, failure: outcome.failure, bench, at, told }
+    Seen { records, telegrams, failure: outcome.failure, bench, at, told }
 }
 
 #[test]
@@ -213,6 +219,58 @@ fn whoever_interrupts_anywhere_leaves_nothing_turning_and_the_limits_as_they_wer
             seen.told.is_empty() || !directory.path().join(RECORD).exists() || seen.told.contains("resolver-offset")
         );
     }
+}
+
+/// Killed in a try, a program gives nothing back: what stood before it is on the disk, and whoever goes on sets it back before all else.
+#[test]
+fn who_goes_on_behind_a_kill_gives_back_what_stood_before() {
+    let directory = tempfile::tempdir().unwrap();
+    let whole = interrupted(directory.path(), &bench(3, 60.0, ""), usize::MAX);
+    let lent = ["P.413@0ram", "P.417@0ram", "P.728@0ram", "P.382@1ram"];
+    let kept = whole.records.iter().find(|record| lent.iter().all(|name| record.contains(name))).unwrap();
+    let end = std::fs::read_to_string(directory.path().join(RECORD)).unwrap();
+    assert!(!end.contains("\"lent\"") && end.contains("\"set-up\""), "all of it was given back: {end}");
+    // As the killed run has left it: a raised limit would be a surprise to whoever takes it for the original.
+    let left = bench(3, 60.0, "")
+        .replace("\"417\" = 9999, \"728\" = 50", "\"417\" = 500, \"728\" = 4, \"382@1ram\" = 150, \"413\" = 2");
+    let run = |more: &str, bench: &str| antrieb(&format!("{LINE} {more}")).file(RECORD, kept).on(bench);
+    let told = run("--again", &left).json().exits(0);
+    let found = told.data("/steps/6/found").to_string();
+    for row in ["P.417@0", "P.728@0", "P.382@1", "P.413@0"] {
+        assert!(found.contains(row), "{row}: {found}");
+    }
+    assert!(found.contains("-> 9999"), "{found}");
+    assert!(told.err.contains("broken off"), "{}", told.err);
+    let now = |bench: &Bench| {
+        let drive = bench.drives().next().unwrap();
+        [drive.ram(417, 0), drive.ram(728, 0), drive.ram(413, 0)]
+    };
+    let (after, _) = witness::left().unwrap();
+    assert_eq!(now(&after), [Some(9_999), Some(50), Some(0)]);
+    assert!(error(&after, 3, 60.0).abs() < 0.03);
+    // Who may not go on has it set back all the same, and the record says so.
+    let refused = run("", &left).exits(8);
+    assert!(refused.err.contains("--again"), "{}", refused.err);
+    let (after, _) = witness::left().unwrap();
+    assert_eq!((now(&after), after.totals().energised), ([Some(9_999), Some(50), Some(0)], 0));
+    assert_eq!(after.drives().next().unwrap().ram(382, 1), Some(0));
+    assert!(!refused.text_of(RECORD).contains("\"lent\""), "{}", refused.text_of(RECORD));
+    // Nothing is set back under a drive that has power, and it is named.
+    let powered = run("--again -v", &left.replace("\"412\" = 1", "\"412\" = 1, \"410\" = 15")).exits(8);
+    assert!(powered.err.contains("has left P.382@1ram = 150 (was 0), P.728@0ram = 4 (was 50)"), "{}", powered.err);
+    assert!(!powered.sent().iter().any(|sent| sent.starts_with("01 06")), "{:?}", powered.sent());
+    assert!(powered.text_of(RECORD).contains("P.417@0ram"), "{}", powered.text_of(RECORD));
+}
+
+/// A drive that refuses a limit is told with the limit.
+#[test]
+fn a_refused_limit_is_named() {
+    let refuses = bench(3, 60.0, "") + "[[drive.event]]\nat = \"100ms\"\nrefuses = 21208\n";
+    let told = antrieb(LINE).on(&refuses).json().exits(6);
+    assert!(told.error()["message"].to_string().contains("P.728: "), "{}", told.error());
+    // What no manual describes for a drive never goes on.
+    let other = antrieb(LINE).on("[[drive]]\nmodel = \"act\"\n").json().exits(7);
+    assert!(!other.error()["hint"].to_string().contains("goes on with step"), "{}", other.error());
 }
 
 /// What is too large in a try makes a wrong offset dangerous, so a dry run shows it before anybody agrees to it.

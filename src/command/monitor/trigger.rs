@@ -25,7 +25,7 @@ const FALLING: &str = "falling";
 
 /// Short names of what most drives have, by role.
 const SHORT: [(&str, &[&str]); 7] = [
-    ("setpoint", &["setpoint-ramp", "setpoint-bus"]),
+    ("setpoint", super::SETPOINT),
     ("actual", super::ACTUAL),
     ("frequency", super::ACTUAL),
     ("current", &["current"]),
@@ -52,6 +52,9 @@ pub(super) fn condition(text: &str, family: &Family) -> Result<Condition, Failur
         }
         return Ok(Condition { text, signal: Signal::State, test: Test::Becomes(state(level, family)?) });
     };
+    if name.eq_ignore_ascii_case(STATE) {
+        return Err(shapeless(&text));
+    }
     let (name, bit) = name.split_once(':').map_or((name, None), |(name, bit)| (name, Some(bit)));
     let item = item(name.trim(), family)?;
     let bit = bit.map(|bit| bit_of(bit.trim(), item.param(), family)).transpose()?;
@@ -104,8 +107,8 @@ fn parts(text: &str) -> Option<(&str, Option<Kind>, &str)> {
 
 /// The parameter that is meant: by a short name, or as for `read`.
 fn item(name: &str, family: &Family) -> Result<Item, Failure> {
-    let short = SHORT.iter().find(|row| row.0.eq_ignore_ascii_case(name)).map(|row| row.1);
-    if let Some(param) = short.and_then(|roles| super::one_of(roles, family)) {
+    if let Some((short, roles)) = SHORT.into_iter().find(|row| row.0.eq_ignore_ascii_case(name)) {
+        let param = super::one_of(roles, family).ok_or_else(|| lacks(short, family))?;
         return Ok(Item::new(Selection { param, sets: DataSets::Unnamed, of_group: false, lenient: false }));
     }
     let selector: Selector = name.parse().map_err(|error| select_failure(&error))?;
@@ -124,8 +127,27 @@ fn item(name: &str, family: &Family) -> Result<Item, Failure> {
     Ok(Item::new(only))
 }
 
-/// The raw value of a level.
+/// A short name never means whatever else begins with it.
+fn lacks(short: &str, family: &Family) -> Failure {
+    let known: Vec<_> = SHORT.iter().filter(|row| super::one_of(row.1, family).is_some()).map(|row| row.0).collect();
+    let (drive, known) = (&family.drive, known.join(", "));
+    let message = both!(
+        "no source tells which parameter of {drive} is '{short}' (there is: {known})",
+        "keine Quelle nennt den Parameter von {drive}, der '{short}' ist (es gibt: {known})"
+    );
+    Failure::new(Class::Data, "data.unknown_parameter", message).hint(both!(
+        "a parameter is named as for `read`, by its number or whole name; --drive names another family, --catalogue brings what you know",
+        "ein Parameter wird wie bei `read` genannt, mit Nummer oder ganzem Namen; --drive nennt eine andere Familie, --catalogue bringt \
+         mit, was Sie wissen"
+    ))
+}
+
+/// The raw value of a level; of a fault as the drive displays it too.
 fn level(text: &str, param: &Param, family: &Family) -> Result<i64, Failure> {
+    let is_fault = family.role("fault").is_some_and(|fault| fault.id == param.id);
+    if let Some(code) = family.fault_codes.code(text).filter(|_| is_fault) {
+        return Ok(code.into());
+    }
     parse(text, param, &family.choices(param)).map_err(|error| {
         let code = if matches!(error, ValueError::Unit { .. }) { "usage.unit" } else { "usage.trigger" };
         let label = param.label();
@@ -201,6 +223,8 @@ mod tests {
         assert_eq!(test("frequency rising 10Hz"), Test::Rises(1_000));
         assert_eq!(test("stator-frequency falling -5"), Test::Falls(-500));
         assert_eq!(test("fault != 0"), Test::Is(Compare::Other, 0));
+        assert_eq!(test("fault = F0500"), Test::Is(Compare::Equal, 0x0500));
+        assert_eq!(test("fault == f1100"), Test::Is(Compare::Equal, 0x1100));
         assert_eq!(test("status-word:fault rising"), Test::Rises(1));
         assert_eq!(test("411:3 = 1"), Test::Is(Compare::Equal, 1));
         assert_eq!(test("state -> fault"), Test::Becomes("fault".to_owned()));
@@ -211,14 +235,32 @@ mod tests {
     #[test]
     fn what_is_none_says_what_is_expected() {
         let code = |text: &str| of(text).unwrap_err().code;
-        for text in
-            ["current", "> 12", "current >", "current 12", "speed -> fault", "state ->", "current rising", "411:3 > x"]
-        {
+        for text in [
+            "current",
+            "> 12",
+            "current >",
+            "current 12",
+            "speed -> fault",
+            "state ->",
+            "current rising",
+            "411:3 > x",
+            "state = fault",
+            "State != fault",
+        ] {
             assert_eq!(code(text), "usage.trigger", "{text}");
         }
         assert_eq!(code("current > 12Hz"), "usage.unit");
         assert_eq!(code("state -> asleep"), "usage.option");
         assert_eq!(code("411:nothing rising"), "usage.option");
         assert_eq!(code("frobnicate > 1"), "data.unknown_parameter");
+        // P.601 is Voltage Rise: a short name of what the family lacks does not mean it.
+        let voltage = of("voltage > 50").unwrap_err();
+        assert_eq!(voltage.code, "data.unknown_parameter");
+        assert!(
+            voltage.message.en.contains("(there is: setpoint, actual, frequency, current, fault, warnings)"),
+            "{voltage:?}"
+        );
+        let hint = of("state = fault").unwrap_err().hint.unwrap();
+        assert!(hint.en.contains("'state -> fault'"), "{hint:?}");
     }
 }

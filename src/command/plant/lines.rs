@@ -260,6 +260,16 @@ pub(in crate::command) async fn on_lines<R>(
     Ok(work(&mut lines, wanted, *ask).await)
 }
 
+/// Why nothing of a file goes over a line of PROFIBUS.
+fn unspoken() -> Failure {
+    let message =
+        both!("parameter files do not go over PROFIBUS-DP yet", "Parameterdateien gehen noch nicht über PROFIBUS-DP");
+    Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
+        "`read` and `write` speak it, one slave at a time; `antrieb -a NAME read` takes it from the project file",
+        "`read` und `write` sprechen es, ein Slave nach dem anderen; `antrieb -a NAME read` nimmt ihn aus der Projektdatei"
+    ))
+}
+
 /// A line, open if it can be opened.
 async fn line<'a>(
     port: &Port,
@@ -268,7 +278,10 @@ async fn line<'a>(
     (registry, interrupt): (&'a Registry, &Interrupt),
     tell: &'a mut dyn FnMut(Event),
 ) -> Line<'a> {
-    let session = open(port, settings, registry, interrupt, tell).await;
+    let session = match settings.profibus {
+        true => Err(unspoken()),
+        false => open(port, settings, registry, interrupt, tell).await,
+    };
     if let Err(failure) = &session {
         members.iter_mut().for_each(|member| member.left = Some(failure.clone()));
     }

@@ -127,7 +127,7 @@ impl Args {
         let scene = Scene { title, curves, states, marks, gaps, from, to, lang };
         let units = scene.units();
         let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), self.measure);
-        let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0));
+        let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0, &track.breaks()));
         let plot = Plot {
             file: self.file.display().to_string(),
             svg: self.svg.as_ref().map(|path| path.display().to_string()),
@@ -218,7 +218,7 @@ fn row(column: &Column, curve: &Curve, units: &[&str], (from, to): (f64, f64), m
 }
 
 /// How the actual value followed the setpoint, where both are drawn in one unit.
-fn followed(scene: &Scene, band: f64) -> Vec<PlotResponse> {
+fn followed(scene: &Scene, band: f64, breaks: &[(f64, f64)]) -> Vec<PlotResponse> {
     let of = |part: Part| scene.curves.iter().find(|curve| curve.part == part);
     let (Some(setpoint), Some(actual)) = (of(Part::Setpoint), of(Part::Actual)) else { return Vec::new() };
     if setpoint.unit != actual.unit {
@@ -237,7 +237,7 @@ fn followed(scene: &Scene, band: f64) -> Vec<PlotResponse> {
         dead_time_s: response.dead_time_s.map(rounded),
     };
     let stops: Vec<f64> = scene.marks.iter().filter(|mark| mark.kind == MarkKind::Stop).map(|mark| mark.t).collect();
-    responses(setpoint, actual, (scene.from, scene.to), band, &stops).into_iter().map(told).collect()
+    responses(setpoint, actual, (scene.from, scene.to), band, (&stops, breaks)).into_iter().map(told).collect()
 }
 
 fn told(mark: &crate::scope::Mark) -> PlotMark {

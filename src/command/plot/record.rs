@@ -1,6 +1,7 @@
 //! A record of `monitor` as curves, states and moments.
 
 use crate::drive::describe;
+use crate::drive::motion::has_power;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::{Family, Param, Registry};
@@ -36,8 +37,25 @@ pub(super) struct Column {
 #[derive(Debug)]
 struct Row {
     t: f64,
+    /// Its number.
+    n: Option<u64>,
     state: Option<(String, Text)>,
     is_gap: bool,
+}
+
+impl Row {
+    fn is_fault(&self) -> Option<bool> {
+        self.state.as_ref().map(|state| state.0.starts_with("fault"))
+    }
+
+    fn follows_none(&self) -> bool {
+        self.state.as_ref().is_some_and(|(slug, _)| slug.starts_with("fault") || has_power(slug) == Some(false))
+    }
+
+    /// Between two triggers nothing was kept.
+    fn follows(&self, before: &Row) -> bool {
+        before.n.zip(self.n).is_none_or(|(before, now)| now <= before + 1)
+    }
 }
 
 /// The drives of a record, by address.
@@ -55,6 +73,7 @@ pub(super) fn read(path: &Path, registry: &Registry) -> Result<BTreeMap<u8, Trac
     };
     read.map_err(expected)?;
     reader.tracks.values_mut().for_each(Track::note_faults);
+    reader.tracks.values_mut().for_each(Track::break_up);
     reader.tracks.retain(|_, track| !track.rows.is_empty());
     if reader.tracks.is_empty() {
         return Err(wrong(both!("there is no sample in it", "es steht kein Messpunkt darin")));
@@ -135,7 +154,7 @@ impl Reader<'_> {
         let values = record["values"].as_array()?;
         let is_unheard = |told: &Value| told["error"]["code"].as_str().is_some_and(is_gap);
         let (t, is_gap) = (record["t"].as_f64()?, is_unheard(record) || values.iter().any(is_unheard));
-        track.rows.push(Row { t, state, is_gap });
+        track.rows.push(Row { t, n: record["n"].as_u64(), state, is_gap });
         for value in values {
             let (slug, set) = (value["slug"].as_str()?, value["data_set"].as_u64()?);
             let number = value["param"].as_u64()?;
@@ -182,12 +201,17 @@ impl Reader<'_> {
         if let Some(trigger) = cell("trigger") {
             track.marks.push(Mark { t, kind: MarkKind::Trigger, text: Text::name(trigger) });
         }
-        track.rows.push(Row { t, state, is_gap });
+        track.rows.push(Row { t, n: cell("n").and_then(|n| n.parse().ok()), state, is_gap });
         // A raw value is none in its unit, and names of bits are none at all.
         for (key, cell) in values.filter(|(key, _)| !key.ends_with(".raw") && !key.ends_with("_bits")) {
             let (slug, set) =
                 key.split_once('@').map_or((key.as_str(), 0), |(slug, set)| (slug, set.parse().unwrap_or(0)));
-            let param = family.as_ref().and_then(|family| family.params.values().find(|param| param.slug == slug));
+            // Two families that call different parameters the same have their numbers in the heading.
+            let is_it = |param: &&Param| {
+                let rest = slug.strip_prefix(param.slug.as_str());
+                rest.is_some_and(|rest| rest.is_empty() || rest.strip_prefix('.') == Some(&param.id.to_string()))
+            };
+            let param = family.as_ref().and_then(|family| family.params.values().find(is_it));
             if param.is_some_and(|param| !param.has_scale() || param.bits.is_some()) {
                 continue;
             }
@@ -225,10 +249,9 @@ impl Track {
 
     /// A fault that the states show and that no record of its own tells: a held run ends at it.
     fn note_faults(&mut self) {
-        let is_fault = |row: &Row| row.state.as_ref().map(|state| state.0.starts_with("fault"));
         let (mut before, mut since) = (None, 0.0);
         for row in &self.rows {
-            let now = is_fault(row);
+            let now = row.is_fault();
             let is_told = self.marks.iter().any(|mark| mark.kind == MarkKind::Fault && mark.t >= since);
             if before == Some(false) && now == Some(true) && !is_told {
                 let at = self.marks.iter().position(|mark| mark.t >= row.t).unwrap_or(self.marks.len());
@@ -239,6 +262,44 @@ impl Track {
                 since = row.t;
             }
         }
+    }
+
+    /// From the last round before a time of which nothing was kept to the first one behind it.
+    fn holes(&self) -> Vec<(f64, f64)> {
+        let pairs = self.rows.windows(2);
+        pairs
+            .filter_map(|pair| matches!(pair, [one, next] if !next.follows(one)).then(|| (pair[0].t, pair[1].t)))
+            .collect()
+    }
+
+    /// No line goes over such a time.
+    fn break_up(&mut self) {
+        for (_, end) in self.holes() {
+            for column in &mut self.columns {
+                let at = column.points.partition_point(|point| point.0 < end);
+                column.points.insert(at, (end, None));
+            }
+        }
+    }
+
+    /// Over these times nobody can tell how the drive followed its setpoint: nothing was kept, several rounds were not answered, or
+    /// it followed none, in a fault or without power, which may show in the values a round before it shows in the state.
+    pub(super) fn breaks(&self) -> Vec<(f64, f64)> {
+        let mut breaks = self.holes();
+        let mut ends = |ends: &dyn Fn(&Row) -> bool, least: usize| {
+            let (mut last, mut count) = (None, 0);
+            for row in &self.rows {
+                count = if ends(row) { count + 1 } else { 0 };
+                match (count, last) {
+                    (0, _) => last = Some(row.t),
+                    (count, from) if count >= least => breaks.push((from.unwrap_or(row.t), row.t)),
+                    _ => {}
+                }
+            }
+        };
+        ends(&|row| row.is_gap, 3);
+        ends(&Row::follows_none, 1);
+        breaks
     }
 
     /// From its first moment to its last one.
@@ -252,7 +313,9 @@ impl Track {
     pub(super) fn states(&self) -> Vec<Stretch> {
         let mut states: Vec<Stretch> = Vec::new();
         let mut now: Option<&str> = None;
-        for row in &self.rows {
+        let before = [None].into_iter().chain(self.rows.iter().map(Some));
+        for (before, row) in before.zip(&self.rows) {
+            now = now.filter(|_| before.is_none_or(|before| row.follows(before)));
             if let Some(last) = states.last_mut().filter(|_| now.is_some()) {
                 last.to = row.t;
             }
@@ -269,7 +332,7 @@ impl Track {
         states
     }
 
-    /// From the last round before a gap to the first one behind it.
+    /// From the last round before a gap to the first one behind it, whether nothing was answered or nothing was kept.
     pub(super) fn gaps(&self) -> Vec<(f64, f64)> {
         let mut gaps: Vec<(f64, f64)> = Vec::new();
         let (mut last, mut open) = (None, false);
@@ -283,6 +346,8 @@ impl Track {
             open = *is_gap;
             last = Some(*t);
         }
+        gaps.extend(self.holes());
+        gaps.sort_by(|one, other| one.0.total_cmp(&other.0));
         gaps
     }
 }
@@ -295,14 +360,14 @@ fn is_gap(code: &str) -> bool {
 /// What a parameter is to a drive.
 fn part(role: &str) -> Part {
     match role {
-        "setpoint-ramp" | "setpoint-bus" => Part::Setpoint,
-        "actual-frequency" | "stator-frequency" | "encoder-frequency" | "actual-speed" => Part::Actual,
+        "setpoint-ramp" | "setpoint-bus" | "setpoint-velocity" => Part::Setpoint,
+        "actual-frequency" | "stator-frequency" | "encoder-frequency" | "actual-speed" | "position" => Part::Actual,
         "current" => Part::Current,
         _ => Part::Other,
     }
 }
 
-const ROLES: [&str; 7] = [
+const ROLES: [&str; 9] = [
     "setpoint-ramp",
     "setpoint-bus",
     "actual-frequency",
@@ -310,6 +375,8 @@ const ROLES: [&str; 7] = [
     "encoder-frequency",
     "actual-speed",
     "current",
+    "setpoint-velocity",
+    "position",
 ];
 
 fn role_of(param: &Param, family: &Family) -> Option<&'static str> {

@@ -47,6 +47,40 @@ impl Point {
     }
 }
 
+impl Point {
+    /// Whether P.253 can be the input at that voltage before it is adjusted: at 0 V within a tenth of what 10 V are in hundredths, or
+    /// in the decimals that a catalogue tells; at 10 V within a fifth of what that is in any of them.
+    fn can_be(self, raw: i64, decimals: Option<u8>) -> bool {
+        let full = |decimals: u8| FULL * 10i64.pow(decimals.into());
+        let is_about = |full: i64| (raw - full).abs() * 5 <= full;
+        match (self, decimals) {
+            (Point::Zero, decimals) => raw.abs() * 10 <= full(decimals.unwrap_or(2)),
+            (Point::Full, Some(decimals)) => is_about(full(decimals)),
+            (Point::Full, None) => (0..=3).any(|decimals| is_about(full(decimals))),
+        }
+    }
+
+    /// In volts, and what to do so that it lies at the input.
+    fn told(self) -> (i64, Text) {
+        match self {
+            Point::Zero => (
+                0,
+                both!(
+                    "bridge X410A.6 to X210B.7 (GND), measure it",
+                    "X410A.6 mit X210B.7 (GND) brücken und nachmessen"
+                ),
+            ),
+            Point::Full => (
+                FULL,
+                both!(
+                    "bridge X410A.6 to X210B.5 (10 V), measure it",
+                    "X410A.6 mit X210B.5 (10 V) brücken und nachmessen"
+                ),
+            ),
+        }
+    }
+}
+
 /// P.568 and P.253.
 pub(super) fn params(family: &Family) -> Option<(Param, Param)> {
     let slug = |slug: &str| family.params.values().find(|param| param.slug == slug).cloned();
@@ -72,6 +106,9 @@ impl Guide<'_> {
         self.session.end_at(None);
         self.confirm(turn, &[]).await?;
         let before = self.settled(&mut target, &shows).await?;
+        if !point.can_be(before, shows.decimals) {
+            return Err(elsewhere(&shows.label(), before, point));
+        }
         let step = job::Step { param: mode.clone(), set: 0, raw: point.mode(), kind: mode.kind, at: None };
         // It may go back by itself: then it does not read back, and what is shown of the input is the proof.
         match self.write_anyway(turn, deed, vec![step]).await {
@@ -129,17 +166,18 @@ fn unsteady(label: &str, raw: i64) -> Failure {
     ))
 }
 
+/// It is another voltage that lies there.
+fn elsewhere(label: &str, raw: i64, point: Point) -> Failure {
+    let (volts, hint) = point.told();
+    let message = both!(
+        "{label} shows {raw}, which cannot be {volts} V: nothing was written",
+        "{label} zeigt {raw}, das können nicht {volts} V sein: es wurde nichts geschrieben"
+    );
+    Failure::new(Class::No, "no.voltage", message).hint(hint)
+}
+
 fn not_shown(label: &str, raw: i64, point: Point) -> Failure {
-    let (volts, hint): (_, Text) = match point {
-        Point::Zero => (
-            0,
-            both!("bridge X410A.6 to X210B.7 (GND), measure it", "X410A.6 mit X210B.7 (GND) brücken und nachmessen"),
-        ),
-        Point::Full => (
-            FULL,
-            both!("bridge X410A.6 to X210B.5 (10 V), measure it", "X410A.6 mit X210B.5 (10 V) brücken und nachmessen"),
-        ),
-    };
+    let (volts, hint) = point.told();
     let message = both!(
         "behind the adjustment at {volts} V {label} shows {raw}",
         "nach dem Abgleich bei {volts} V zeigt {label} {raw}"
@@ -166,6 +204,11 @@ mod tests {
             assert_eq!(Point::Full.is_shown(raw, None), is_shown, "{raw}");
         }
         assert!(Point::Full.is_shown(1_000, Some(2)) && !Point::Full.is_shown(1_000, Some(1)));
+        for (raw, zero, full) in
+            [(30, true, false), (980, false, true), (-980, false, false), (0, true, false), (95, true, true)]
+        {
+            assert_eq!((Point::Zero.can_be(raw, None), Point::Full.can_be(raw, None)), (zero, full), "{raw}");
+        }
         assert!(Point::Zero.is_shown(-5, None) && !Point::Zero.is_shown(6, None));
     }
 }

@@ -2,11 +2,12 @@
 
 use super::Args;
 use crate::args::{Settings, in_directory};
-use crate::drive::motion::watchdog_raw;
+use crate::drive::motion::{watchdog_raw, watchdog_seconds};
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{GivenValue, ProcedureRecord};
 use crate::profile::procedure::Procedure;
+use crate::profile::value::format_decimal;
 use crate::profile::{Family, stumbled};
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -88,8 +89,22 @@ impl Given {
     /// # Errors
     /// A value that does not do.
     pub(super) fn fit(&self, family: &Family) -> Result<(), Failure> {
-        self.span("watchdog")?.map(|span| watchdog_raw(family, span)).transpose()?;
-        Ok(())
+        let Some(span) = self.span("watchdog")? else { return Ok(()) };
+        let raw = watchdog_raw(family, span)?;
+        let told = watchdog_seconds(family, raw);
+        // 0 is no watchdog (CM-485 manual 6.9), and what the drive cannot hold exactly would not be what the record says.
+        let is_exact = told.raw * 10i64.pow(6 - u32::from(told.decimals)) == span.as_micros() as i64;
+        if span > Span::ZERO && is_exact {
+            return Ok(());
+        }
+        let (text, least) = (self.get("watchdog").unwrap_or_default(), format_decimal(1, told.decimals));
+        Err(bad(
+            "watchdog",
+            &both!(
+                "expected a whole multiple of {least} s above 0, got '{text}' (0 would be no watchdog)",
+                "erwartet wird ein ganzes Vielfaches von {least} s über 0; angegeben: '{text}' (0 wäre kein Watchdog)"
+            ),
+        ))
     }
 }
 

@@ -5,7 +5,7 @@ use super::record;
 use crate::args::Settings;
 use crate::command::{asking, terms};
 use crate::drive::job::{self, Job};
-use crate::drive::{Interrupt, Session, Target};
+use crate::drive::{Interrupt, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Answer, Ask, Denied, Permit, Question, Writing};
 use crate::outcome::{
@@ -13,7 +13,6 @@ use crate::outcome::{
     WriteResult, Written,
 };
 use crate::profile::procedure::{Act, Procedure, Step};
-use crate::profile::value::format_decimal;
 use crate::profile::{Registry, cited};
 use crate::text::{Text, both};
 use futures_util::future::LocalBoxFuture;
@@ -73,7 +72,7 @@ impl Guide<'_> {
     /// Does one step and keeps what came of it.
     async fn take(&mut self, turn: Turn<'_>, row: &mut ProcedureStep, was_begun: bool) -> Option<Failure> {
         let mut deed = Deed::default();
-        let done = match self.may_begin(turn, was_begun) {
+        let done = match self.begins(turn, was_begun, &mut deed).await {
             Ok(()) => self.act(turn, &mut deed).await,
             Err(failure) => Err(failure),
         };
@@ -112,6 +111,21 @@ impl Guide<'_> {
         let found = found.to_vec();
         self.record.keep(KeptStep { step: step.slug.clone(), title, turns, result, time, found, error });
         record::save(&self.path, &self.record)
+    }
+
+    /// What stands before a step: what a run before it has left goes back, whether or not the step is done then.
+    fn begins<'f>(
+        &'f mut self,
+        turn: Turn<'f>,
+        was_begun: bool,
+        deed: &'f mut Deed,
+    ) -> LocalBoxFuture<'f, Result<(), Failure>> {
+        Box::pin(async move {
+            if !self.record.lent.is_empty() {
+                self.give_back(turn, deed).await?;
+            }
+            self.may_begin(turn, was_begun)
+        })
     }
 
     fn may_begin(&mut self, turn: Turn<'_>, was_begun: bool) -> Result<(), Failure> {
@@ -156,7 +170,9 @@ impl Guide<'_> {
 
     /// Somebody says that it is so.
     pub(super) async fn confirm(&mut self, turn: Turn<'_>, more: &[Text]) -> Result<(), Failure> {
-        let question = turn.question(more.to_vec());
+        let unasked = self.settings.drive.is_none() && !self.record.asked && !turn.step.drives.is_empty();
+        let more = more.iter().cloned().chain(unasked.then(|| of_family(turn.step, &self.record.drive)));
+        let question = turn.question(more.collect());
         let answer = self.session.during(self.ask.ask(&question)).await;
         match answer.map_err(|error| error.failure(self.record.address, None)) {
             Ok(Answer::Yes) => {
@@ -275,6 +291,9 @@ impl Guide<'_> {
 
     /// The failure with what goes on from there.
     fn goes_on(&self, failure: Failure, turn: Turn<'_>) -> Failure {
+        if NEVER.contains(&failure.code.as_str()) {
+            return failure;
+        }
         let (nth, of, name) = (turn.nth, turn.of, &self.procedure.slug);
         let goes_on = match turn.step.act.turns() && self.record.step(&turn.step.slug).is_some() {
             true => both!(
@@ -292,7 +311,12 @@ impl Guide<'_> {
     }
 }
 
-impl Turn<'_> {
+impl<'s> Turn<'s> {
+    /// Something else in the place of this step.
+    pub(super) fn with(self, step: &Step) -> Turn<'_> {
+        Turn { step, ..self }
+    }
+
     /// Which step it is, what is done, what the manual warns of.
     pub(super) fn question(self, more: Vec<Text>) -> Question {
         let (title, details) = (self.title(), self.details().into_iter().chain(more).collect());
@@ -367,11 +391,21 @@ pub(super) fn describes(procedure: &Procedure, drive: &str) -> Result<(), Failur
     Err(Failure::new(Class::Data, "data.procedure", message))
 }
 
+/// A step that is another one for another drive, before anybody has asked which one is there.
+fn of_family(step: &Step, drive: &str) -> Text {
+    let drives = step.drives.join(", ");
+    both!(
+        "This is the step for {drives}: nobody has asked the drive yet, and '{drive}' is taken for granted. Another family is named by \
+         --drive.",
+        "Dies ist der Schritt für {drives}: den Antrieb hat noch niemand gefragt, angenommen ist '{drive}'. Eine andere Familie nennt \
+         --drive."
+    )
+}
+
 /// What became of a value.
 fn written(row: &Written) -> Text {
-    let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
-    let new = format_decimal(row.value.raw, row.value.decimals);
-    let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
+    let (old, new, unit) = describe::change(row);
+    let old = old.unwrap_or_else(|| "?".to_owned());
     let fate = match row.result {
         WriteResult::Unchanged => both!("was so before", "war schon so"),
         WriteResult::Verified => both!("written, read back", "geschrieben, zurückgelesen"),
@@ -383,11 +417,14 @@ fn written(row: &Written) -> Text {
         "P.{param}@{set} {name}: {old} -> {new}{unit}, {fate}",
         "P.{param}@{set} {name}: {old} -> {new}{unit}, {fate}",
         name,
+        unit,
         fate
     )
 }
 
 /// Failures before which nothing has happened.
 const UNTOUCHED: [&str; 4] = ["forbidden.not_confirmed", "forbidden.no_terminal", "interrupted.question", NOT_AGAIN];
+/// Failures of a drive for which it is not: the same command comes to the same end.
+const NEVER: [&str; 3] = ["data.procedure", "data.other_drive", "data.no_input"];
 /// A step that moves was begun before.
 const NOT_AGAIN: &str = "forbidden.again";

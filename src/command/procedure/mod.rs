@@ -6,6 +6,7 @@ mod contact;
 mod dry;
 mod given;
 mod guide;
+mod lent;
 mod nameplate;
 mod offset;
 pub(in crate::command) mod record;

@@ -58,7 +58,7 @@ impl Guide<'_> {
         let attempt = self.half(&hunt, found);
         let (offset, voltage) = match self.attempt(turn, deed, &hunt, attempt).await? {
             Seen::Found(offset, voltage) => (offset, voltage),
-            _ => return Err(not_found()),
+            _ => return Err(self.not_found()),
         };
         deed.found.push(told_found(&hunt, hunt.rated / 2, offset, voltage));
         let (param, kind) = (hunt.params.offset.clone(), hunt.params.offset.kind);
@@ -120,7 +120,7 @@ impl Guide<'_> {
                 }
             }
         }
-        Err(not_found())
+        Err(self.not_found())
     }
 
     /// Acknowledges the fault of a shaft that ran away, if the drive has tripped.
@@ -192,6 +192,24 @@ impl Guide<'_> {
         }
     }
 
+    /// It was not found; what stands otherwise than before is named.
+    fn not_found(&self) -> Failure {
+        let message = both!("the offset was not found", "der Offset wurde nicht gefunden");
+        let left: Vec<Text> = self.record.lent.iter().map(|lent| Text::name(&lent.name)).collect();
+        let left = match left.is_empty() {
+            true => both!("P.417, P.728 and P.382 are as they were", "P.417, P.728 und P.382 sind, wie sie waren"),
+            false => {
+                let left = Text::join(&left, ", ");
+                both!("NOT as it was: {left}", "NICHT, wie es war: {left}", left)
+            }
+        };
+        Failure::new(Class::No, "no.offset", message).hint(both!(
+            "check pole pairs, the wires of the resolver and the load; {left}",
+            "Polpaarzahlen, Resolverleitungen und Last prüfen; {left}",
+            left
+        ))
+    }
+
     /// One run. That the shaft ran away is an answer only where it was stopped and stands.
     async fn attempt(
         &mut self,
@@ -204,7 +222,7 @@ impl Guide<'_> {
         let details = turn.details().into_iter().chain(attempt.told.clone()).collect();
         let question = Question { hazards: Vec::new(), title: turn.title(), details };
         let seen = Cell::new(None);
-        let led = Led { args: &args, question, settings: &attempt.settings };
+        let led = Led { args: &args, question, settings: &attempt.settings, keeps: None };
         let ended = self
             .leads(turn, deed, led, async |motor: &mut Motor<'_, '_>| {
                 let come = watch(motor, &hunt.params, &attempt).await?;
@@ -301,14 +319,6 @@ fn exchange_phases(hunt: &Hunt) -> Vec<Text> {
 fn ran_away() -> Failure {
     let message = both!("the shaft ran away", "die Welle ging durch");
     Failure::new(Class::No, RAN_AWAY, message)
-}
-
-fn not_found() -> Failure {
-    let message = both!("the offset was not found", "der Offset wurde nicht gefunden");
-    Failure::new(Class::No, "no.offset", message).hint(both!(
-        "check pole pairs, the wires of the resolver and the load; P.417, P.728 and P.382 are as they were",
-        "Polpaarzahlen, Resolverleitungen und Last prüfen; P.417, P.728 und P.382 sind, wie sie waren"
-    ))
 }
 
 fn set_up_first() -> Text {

@@ -40,6 +40,7 @@ pub(super) fn open(
         of: procedure.steps_of(&family.drive).len(),
         given: given.told(),
         steps: Vec::new(),
+        lent: Vec::new(),
     };
     let Some(kept) = kept else { return Ok(new) };
     if (&kept.procedure, kept.address, &kept.drive) != (&new.procedure, address, &new.drive) {

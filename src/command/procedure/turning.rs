@@ -7,21 +7,25 @@ use crate::args::{MotionArgs, StopArg};
 use crate::command::running::{self, Around, Plan};
 use crate::command::sollwert::{self, Led};
 use crate::drive::Reader;
-use crate::drive::motion::{self, Motor};
+use crate::drive::motion::{self, Keeps, Motor};
 use crate::failure::{Class, Failure};
 use crate::gate::Question;
-use crate::outcome::{Data, KeptStep, Outcome, StepFate};
+use crate::outcome::{Change, Data, KeptStep, Outcome, ProcedureRecord, StepFate};
 use crate::profile::procedure::Act;
 use crate::profile::value::{self, format_decimal};
 use crate::profile::{Family, Param, Role};
 use crate::text::{Text, both};
 use crate::tick::Span;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::path::Path;
 
 /// How long it turns in a test.
 const TURNS: Span = Span::from_secs(3);
 /// The frequency of a test, where none was given.
 const TEST: &str = "5Hz";
+/// The least of it at which one sees a shaft turn, in Hz, and the most, as a share of the rated frequency: no manual says what low is.
+const LEAST: f64 = 1.0;
+const SLOW: f64 = 0.2;
 /// The time of the watchdog, where none was given.
 const WATCHDOG: Span = Span::from_secs(2);
 /// What the watchdog of the line trips with (CM-485 manual 6.9).
@@ -181,29 +185,33 @@ impl Guide<'_> {
         details: Vec<Text>,
     ) -> Result<(), Failure> {
         let motion = bounded(StopArg::Coast, None, watchdog(self.given)?);
-        let plan = Plan::of("reset", turn.title(), &motion);
         let begun = self.begin(turn);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
-        let address = record.address;
+        let (address, record) = (record.address, RefCell::new(record));
+        let keeps = |change: &Change| lends(&record, path, change);
+        let plan = Plan { keeps: Some(Keeps(&keeps)), ..Plan::of("reset", turn.title(), &motion) };
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
         let told = running::on_line(
             session,
             &mut around,
             address,
             plan,
-            async |_, _, before, plan| {
+            async |_, target, before, plan| {
                 plan.details.extend(details);
+                if !before.obeys(&target.family) {
+                    plan.details.push(may_stay(&target.family.role_label("control-mode")));
+                }
                 if before.state.starts_with("fault") { Ok(()) } else { Err(motion::no_fault()) }
             },
             async |motor, ()| {
-                record.keep(begun);
-                record::save(path, record)?;
+                begins(&record, path, begun)?;
                 motor.reset().await
             },
         )
         .await;
         self.is_free_again();
-        came(told?, deed)
+        let ended = self.came(told?, deed);
+        self.leaves_control(ended, deed)
     }
 
     fn test(&self) -> &str {
@@ -226,7 +234,7 @@ impl Guide<'_> {
         then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let question = Question { hazards: Vec::new(), title: turn.title(), details: turn.details() };
-        self.leads(turn, deed, Led { args, question, settings: &[] }, then).await
+        self.leads(turn, deed, Led { args, question, settings: &[], keeps: None }, then).await
     }
 
     /// The same, with what is set for the run, and what is asked.
@@ -239,16 +247,69 @@ impl Guide<'_> {
     ) -> Result<(), Failure> {
         let begun = self.begin(turn);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
-        let address = record.address;
+        let (address, record) = (record.address, RefCell::new(record));
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
-        let begins = || {
-            record.keep(begun);
-            record::save(path, record)
-        };
-        let told = sollwert::led(session, &mut around, address, led, begins, then).await;
+        let keeps = |change: &Change| lends(&record, path, change);
+        let led = Led { keeps: Some(Keeps(&keeps)), ..led };
+        let told = sollwert::led(session, &mut around, address, led, || begins(&record, path, begun), then).await;
         self.is_free_again();
-        came(told?, deed)
+        self.came(told?, deed)
     }
+
+    /// What a run has come to, and given back.
+    fn came(&mut self, told: Outcome, deed: &mut Deed) -> Result<(), Failure> {
+        if let Some(Data::Motion(motion)) = &told.data {
+            self.record.take_back(&motion.changed);
+        }
+        came(told, deed)
+    }
+
+    /// A control mode that stays because contacts could start the drive under its own is an end that was agreed to.
+    fn leaves_control(&mut self, ended: Result<(), Failure>, deed: &mut Deed) -> Result<(), Failure> {
+        let mode = self.target.as_ref().and_then(|target| Some(target.family.role("control-mode")?.id));
+        let left = deed.motions.last().map(|motion| motion.changed.iter().filter(|change| !change.restored));
+        let left: Vec<Change> = left.into_iter().flatten().cloned().collect();
+        let is_agreed = left.iter().all(|change| Some(change.param) == mode);
+        match ended {
+            Err(failure) if failure.code == "partial.not_given_back" && is_agreed => {
+                deed.found.extend(left.iter().map(|change| {
+                    let Change { name, old, new, .. } = change;
+                    let back = name.trim_start_matches("P.");
+                    both!(
+                        "{name} stays {new} (was {old}), as agreed: contacts that are closed could start the drive under {old}; `antrieb \
+                         write {back}={old}` sets it back, when nothing can start",
+                        "{name} bleibt {new} (war {old}), wie vereinbart: geschlossene Kontakte könnten den Antrieb unter {old} starten; \
+                         `antrieb write {back}={old}` stellt es zurück, wenn nichts anlaufen kann"
+                    )
+                }));
+                self.record.lent.retain(|lent| Some(lent.param) != mode);
+                Ok(())
+            }
+            ended => ended,
+        }
+    }
+}
+
+/// Notes what a setting was, on the disk, before a run changes it.
+fn lends(record: &RefCell<&mut ProcedureRecord>, path: &Path, change: &Change) -> Result<(), Failure> {
+    let mut record = record.borrow_mut();
+    record.lend(change);
+    record::save(path, &record)
+}
+
+fn begins(record: &RefCell<&mut ProcedureRecord>, path: &Path, begun: KeptStep) -> Result<(), Failure> {
+    let mut record = record.borrow_mut();
+    record.keep(begun);
+    record::save(path, &record)
+}
+
+fn may_stay(label: &str) -> Text {
+    both!(
+        "Where contacts that are closed could start the drive under its own {label}, that stays as it is set now, in RAM: such an end \
+         is agreed to here.",
+        "Wo geschlossene Kontakte den Antrieb unter seinem eigenen {label} starten könnten, bleibt es im RAM, wie es jetzt gesetzt wird: \
+         ein solches Ende ist hiermit vereinbart."
+    )
 }
 
 /// What a run has come to.
@@ -340,9 +401,29 @@ fn not_tripped(silent: Span) -> Failure {
 pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
     nameplate::steps(given, family)?;
     both_ways(given)?;
-    if let Some(param) = family.role(Role::SetpointFrequency) {
-        raw(given.get("test").unwrap_or(TEST), param)?;
-        raw(&goal(given.get("ramp"), given)?, param)?;
+    let Some(param) = family.role(Role::SetpointFrequency) else { return Ok(()) };
+    let text = given.get("test").unwrap_or(TEST);
+    let (test, most) = (raw(text, param)?, nameplate::Nameplate::of(given)?.frequency * SLOW);
+    let hertz = |raw: i64| raw as f64 / 10f64.powi(param.decimals_or_zero().into());
+    if !(LEAST..=most).contains(&hertz(test)) {
+        return Err(bad(
+            "test",
+            &both!(
+                "expected a low speed that can be seen, {LEAST} to {most} Hz (a fifth of the rated frequency), got '{text}'",
+                "erwartet wird eine kleine Drehzahl, die man sieht: {LEAST} bis {most} Hz (ein Fünftel der Bemessungsfrequenz); \
+                 angegeben: '{text}'"
+            ),
+        ));
+    }
+    let text = goal(given.get("ramp"), given)?;
+    if raw(&text, param)? <= test {
+        return Err(bad(
+            "ramp",
+            &both!(
+                "expected more than the frequency of the tests, got '{text}'",
+                "erwartet wird mehr als die Frequenz der Prüfungen; angegeben: '{text}'"
+            ),
+        ));
     }
     Ok(())
 }

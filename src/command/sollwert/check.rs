@@ -64,9 +64,8 @@ impl Check<'_, '_> {
         let least = self.floor(&wanted, own);
         self.tells_unknown(&promise);
         wanted.effective = added.map(|added| Total { added, limit, least });
-        let promise = Some(promise).filter(|_| wanted.mode.source.is_some() || wanted.mode.adds.is_some());
-        wanted.least = promise.as_ref().and_then(|promise| promise.own.least);
-        Ok((wanted, promise))
+        wanted.least = promise.own.least;
+        Ok((wanted, Some(promise)))
     }
 
     /// What cannot be read may bend the setpoint all the same; told.

@@ -5,7 +5,7 @@ use crate::args::{KeypadArgs, MotionArgs, Settings};
 use crate::command::profibus::SlaveArgs;
 use crate::command::running::{self, Around, Plan};
 use crate::drive::Session;
-use crate::drive::motion::Motor;
+use crate::drive::motion::{Keeps, Motor};
 use crate::failure::Failure;
 use crate::gate::Question;
 use crate::outcome::{Outcome, TelegramDoc};
@@ -42,6 +42,8 @@ pub(in crate::command) struct Led<'l> {
     pub(in crate::command) question: Question,
     /// What is set for the run, raw, read back before anything turns, and given back at the end.
     pub(in crate::command) settings: &'l [(Param, i64)],
+    /// Who keeps what is changed for the run, before it is.
+    pub(in crate::command) keeps: Option<Keeps<'l>>,
 }
 
 /// Asks, runs, does something more, stops and reports. `begins` is called when somebody agreed, before anything is sent that moves.
@@ -49,7 +51,7 @@ pub(in crate::command) async fn led(
     session: &mut Session<'_>,
     around: &mut Around<'_>,
     address: u8,
-    Led { args, question, settings }: Led<'_>,
+    Led { args, question, settings, keeps }: Led<'_>,
     begins: impl FnOnce() -> Result<(), Failure>,
     then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
@@ -58,7 +60,7 @@ pub(in crate::command) async fn led(
     // What has no time of its own is held by what is done then.
     let motion = MotionArgs { hold: args.motion.duration.is_some(), ..args.motion.clone() };
     let giving = Giving { args, spoken: &spoken, motion: &motion, panel: &panel, enable: true, bare: false };
-    let plan = Plan { runs: true, ..Plan::of("procedure", Text::default(), &args.motion) };
+    let plan = Plan { runs: true, keeps, ..Plan::of("procedure", Text::default(), &args.motion) };
     running::on_line(
         session,
         around,

@@ -4,12 +4,12 @@ use super::Args;
 use super::wanted::Wanted;
 use crate::args::below_zero::SIGN;
 use crate::command::running::Plan;
-use crate::drive::motion::{Situation, role_raw, turns, zero_only_slows};
+use crate::drive::motion::{Situation, elsewhere, role_raw, turns, zero_only_slows};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::{Family, Mode};
-use crate::text::both;
+use crate::text::{Text, both};
 
 /// Whether a setpoint as it was typed is a zero, whatever its unit.
 pub(super) fn is_said(setpoint: &str) -> bool {
@@ -79,13 +79,30 @@ pub(super) async fn present_mode(session: &mut Session<'_>, target: &mut Target)
                 "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an: {mode}",
                 mode = mode.text()
             );
-            // Whoever asked for a standstill must know that there is none.
-            let alarm = turns(session, target).await?;
-            Err(Failure { alarm, ..Failure::new(Class::Forbidden, "forbidden.mode", text) }.hint(both!(
-                "`antrieb statemachine quick-stop` stops it",
-                "`antrieb statemachine quick-stop` hält ihn an"
-            )))
+            Err(stops_nothing(session, target, text).await?)
         }
-        mode => Ok(mode),
+        Some(mode) => demand_its_own(session, target, &mode).await.map(|()| Some(mode)),
+        None => Ok(None),
     }
+}
+
+/// Fails where the drive works in this mode and takes its setpoint from elsewhere, so that a zero counts for nothing.
+pub(super) async fn demand_its_own(session: &mut Session<'_>, target: &mut Target, mode: &Mode) -> Result<(), Failure> {
+    if mode.engage.is_empty() || role_raw(session, target, "mode-active").await? != mode.value {
+        return Ok(());
+    }
+    let Some((param, now)) = elsewhere(session, target, mode).await? else { return Ok(()) };
+    let text = both!(
+        "a setpoint of 0 stops nothing here, the drive takes another one: {label} = {now}",
+        "ein Sollwert 0 hält hier nichts an, der Antrieb nimmt einen anderen: {label} = {now}",
+        label = param.label()
+    );
+    Err(stops_nothing(session, target, text).await?)
+}
+
+/// Whoever asked for a standstill must know that there is none.
+async fn stops_nothing(session: &mut Session<'_>, target: &mut Target, text: Text) -> Result<Failure, Failure> {
+    let alarm = turns(session, target).await?;
+    Ok(Failure { alarm, ..Failure::new(Class::Forbidden, "forbidden.mode", text) }
+        .hint(both!("`antrieb statemachine quick-stop` stops it", "`antrieb statemachine quick-stop` hält ihn an")))
 }

@@ -5,7 +5,7 @@ use crate::drive::{Session, describe, who};
 use crate::gate::{Hazard, Question};
 use crate::outcome::{Decimal, WriteResult, Written};
 use crate::profile::paramfile::ranges;
-use crate::profile::value::{format_decimal, written};
+use crate::profile::value::written;
 use crate::profile::{Family, HazardKind, Role, Store};
 use crate::text::{Text, both};
 
@@ -113,9 +113,8 @@ fn consequence(hazard: Hazard) -> Option<Text> {
 }
 
 fn describe_step(step: &Step, row: &Written, sets: &str, family: &Family) -> Text {
-    let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
-    let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
-    let new = format_decimal(row.value.raw, row.value.decimals);
+    let (old, new, unit) = describe::change(row);
+    let old = old.unwrap_or_else(|| "?".to_owned());
     let text = row.text.as_ref().map_or_else(Text::default, |text| both!(" ({text})", " ({text})", text));
     let who = match row.address {
         0 => both!("every drive", "alle Antriebe"),
@@ -133,6 +132,7 @@ fn describe_step(step: &Step, row: &Written, sets: &str, family: &Family) -> Tex
         "{who}: {label} {name}: {old} -> {new}{unit}{text}{store}",
         who,
         name = step.param.name,
+        unit,
         text
     )
 }

@@ -13,7 +13,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writes};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::paramfile::At;
-use crate::profile::value::{self, format_decimal};
+use crate::profile::value;
 use crate::profile::{Effective, Family, HazardKind, Holds, Param, Role, Type};
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -378,8 +378,8 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
         _ => both!("from now on", "ab jetzt"),
     };
     let unknown = || both!("its old value", "den alten Wert");
-    let old = row.old.map_or_else(unknown, |old| Text::name(format_decimal(old.raw, old.decimals)));
-    let new = row.text.clone().unwrap_or_else(|| Text::name(format_decimal(row.value.raw, row.value.decimals)));
+    let (old, new, _) = describe::change(row);
+    let (old, new) = (old.map_or_else(unknown, Text::name), row.text.clone().unwrap_or_else(|| Text::name(new)));
     let (label, address, line, protocol) = (step.param.label(), row.address, terms.line, terms.speech.protocol.name());
     let message = both!(
         "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \

@@ -90,6 +90,23 @@ pub async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Re
     Ok(found)
 }
 
+/// The setting by which a drive takes another setpoint than that of a mode, from elsewhere, and its value; `None` where it does not, or
+/// does not tell. A source of 0 is none.
+pub async fn elsewhere(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    mode: &Mode,
+) -> Result<Option<(Param, i64)>, Failure> {
+    for preset in &mode.engage {
+        let param = target.family.param_or_unknown(preset.param);
+        let told = raw(session, target, &param, 0).await?;
+        if let Some(now) = told.filter(|&now| now != preset.value && now != 0) {
+            return Ok(Some((param, now)));
+        }
+    }
+    Ok(None)
+}
+
 /// Whether a controller may make the drive's own setpoint of that of a mode.
 pub async fn is_controlled(session: &mut Session<'_>, target: &mut Target, mode: &Mode) -> Result<bool, Failure> {
     let Some((modulo, is)) = mode.adds.and_then(|adds| adds.controls) else { return Ok(false) };

@@ -11,6 +11,26 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Stop};
 use crate::profile::{DataSets, Family, Param};
 use crate::text::both;
+use std::fmt;
+
+/// What keeps a change that is about to be made, so that it can be given back by whoever comes when this program is gone.
+#[derive(Clone, Copy)]
+pub struct Keeps<'k>(pub &'k dyn Fn(&Change) -> Result<(), Failure>);
+
+impl fmt::Debug for Keeps<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Keeps")
+    }
+}
+
+/// A refusal with the parameter that was refused.
+fn named(failure: Failure, param: &Param) -> Failure {
+    if failure.class != Class::Refused {
+        return failure;
+    }
+    let label = param.label();
+    failure.within(|why| both!("{label}: {why}", "{label}: {why}", why)).with("param", param.id)
+}
 
 /// How often it is tried.
 const TRIES: u8 = 5;
@@ -55,8 +75,8 @@ impl Motor<'_, '_> {
         if old == new {
             return Ok(());
         }
-        self.note_change(param, set, old, new);
-        self.write(param, set, new).await
+        self.note_change(param, set, old, new)?;
+        self.write(param, set, new).await.map_err(|failure| named(failure, param))
     }
 
     /// Changes a setting for the run, as often as need be, and reads it back; it is given back at the end, as it was first.
@@ -66,10 +86,10 @@ impl Motor<'_, '_> {
             return Ok(());
         }
         match self.settled.contains(&(param.id, set)) {
-            false => self.note_change(param, set, old, new),
+            false => self.note_change(param, set, old, new)?,
             true => self.changes.iter_mut().filter(|row| row.param == param.id).for_each(|row| row.new = new),
         }
-        self.write(param, set, new).await?;
+        self.write(param, set, new).await.map_err(|failure| named(failure, param))?;
         let (_, now) = self.bear(async |motor: &mut Self| motor.in_force(param).await).await?;
         if now == new {
             return Ok(());
@@ -120,7 +140,7 @@ impl Motor<'_, '_> {
             return Ok(());
         }
         match raw(self.session, self.target, param, set).await? {
-            Some(old) if old != new && fit(old) => self.note_change(param, set, old, new),
+            Some(old) if old != new && fit(old) => self.note_change(param, set, old, new)?,
             // Written once more with another value it is another matter.
             Some(old) if old == new => {}
             _ => self.settled.push((param.id, set)),
@@ -128,10 +148,16 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    pub(super) fn note_change(&mut self, param: &Param, set: u8, old: i64, new: i64) {
-        self.settled.push((param.id, set));
+    /// Notes what a parameter was, also where that is to outlive this program, before it is written.
+    pub(super) fn note_change(&mut self, param: &Param, set: u8, old: i64, new: i64) -> Result<(), Failure> {
         let (data_set, name) = placed(&self.target.family, param, set);
-        self.changes.push(Change { param: param.id, name, data_set, old, new, restored: false });
+        let change = Change { param: param.id, name, data_set, old, new, restored: false };
+        if let Some(Keeps(keep)) = self.keeps {
+            keep(&change)?;
+        }
+        self.settled.push((param.id, set));
+        self.changes.push(change);
+        Ok(())
     }
 
     /// Whether what was changed goes back: not to a drive that still runs and may need it, but to one that is without power,
@@ -170,7 +196,7 @@ impl Motor<'_, '_> {
             let param = self.setpoint.as_ref().and_then(|setpoint| self.target.family.param(setpoint.param).cloned());
             if let Some(param) = param {
                 // So that nobody is surprised by it at the next enable.
-                if self.write(&param, 0, 0).await.is_err() {
+                if !self.set_back(&param, 0, 0).await {
                     self.notes.push(both!(
                         "{label} may still stand in the drive; it could not be set to 0",
                         "{label} steht vielleicht noch im Antrieb; 0 war nicht zu schreiben",
@@ -188,15 +214,22 @@ impl Motor<'_, '_> {
                 continue;
             }
             let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
-            let mut restored = false;
-            for _ in 0..TRIES {
-                restored = restored || self.write(&param, change.data_set + ram, change.old).await.is_ok();
-            }
+            let restored = self.set_back(&param, change.data_set + ram, change.old).await;
             if let Some(change) = self.changes.get_mut(index) {
                 change.restored = restored;
             }
         }
         // What fed the watchdog in the run would bring back what it was.
         self.again = None;
+    }
+
+    /// Whether a value stands there again, as often as it takes within reason: the line may be silent for a moment.
+    async fn set_back(&mut self, param: &Param, set: u8, raw: i64) -> bool {
+        for _ in 0..TRIES {
+            if self.write(param, set, raw).await.is_ok() {
+                return true;
+            }
+        }
+        false
     }
 }

@@ -27,8 +27,10 @@ mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
-pub use before::{Standing, is_controlled, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows};
-pub use changes::would_change;
+pub use before::{
+    Standing, elsewhere, is_controlled, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows,
+};
+pub use changes::{Keeps, would_change};
 pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
@@ -169,6 +171,8 @@ pub struct Motor<'a, 's> {
     pub steps: Vec<Step>,
     /// Settings that were changed.
     pub changes: Vec<Change>,
+    /// Who keeps what is changed, before it is.
+    pub keeps: Option<Keeps<'a>>,
     /// Parameters, and their data sets, of which it is known whether they are to be given back.
     settled: Vec<(u32, u8)>,
     /// Nothing runs on afterwards, so what was changed goes back; a setpoint is part of it too.
@@ -253,6 +257,7 @@ impl<'a, 's> Motor<'a, 's> {
             first_seen: None,
             steps,
             changes,
+            keeps: None,
             settled: Vec::new(),
             bounded: false,
             setpoint: None,

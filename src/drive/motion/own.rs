@@ -1,6 +1,6 @@
 //! What a drive makes of a setpoint by its own settings, and what it runs at without one; and whether that is still so.
 
-use super::look::{raw, role_raw, state_name, status_word, working};
+use super::look::{role_raw, state_name, status_word, working};
 use super::{Motor, Situation, has_power};
 use crate::drive::describe;
 use crate::drive::session::Session;
@@ -245,7 +245,7 @@ pub async fn demand_as_shown(session: &mut Session<'_>, target: &mut Target, sho
     )))
 }
 
-fn otherwise(text: Text) -> Failure {
+pub(super) fn otherwise(text: Text) -> Failure {
     Failure::new(Class::Forbidden, OTHERWISE, text).hint(both!(
         "another data set, an input, or somebody else: say it again to see what it runs at now",
         "ein anderer Datensatz, ein Eingang oder jemand anderes: noch einmal aufrufen zeigt, womit er jetzt liefe"
@@ -288,10 +288,11 @@ impl Motor<'_, '_> {
         }
         self.course.looked = Some(now);
         let retries = self.session.set_retries(0);
-        let strayed = match self.expects {
-            _ if self.promises.is_empty() => self.in_another_mode().await,
-            Some((_, goal)) if self.course.agrees => self.strayed(goal).await,
-            _ => self.otherwise_now(takes, by).await,
+        // Of a drive that does not show its ramp the settings themselves are looked at every time.
+        let goal = self.expects.filter(|_| self.course.agrees && self.target.family.role("setpoint-ramp").is_some());
+        let strayed = match goal {
+            Some((_, goal)) => self.strayed(goal).await,
+            None => self.otherwise_now(takes, by).await,
         };
         self.session.set_retries(retries);
         if strayed.is_err() {
@@ -302,26 +303,46 @@ impl Motor<'_, '_> {
 
     /// A last look at what was agreed to, where a run found nothing in its way: what changed since the look before shows here.
     pub(super) async fn kept<T>(&mut self, result: Result<T, Failure>) -> Result<T, Failure> {
-        if result.is_err() || self.promises.is_empty() || self.relieving.is_some() || self.unheard {
+        if result.is_err() || self.relieving.is_some() || self.unheard {
             return result;
         }
         self.course = Course::default();
         self.keeps(Span::ZERO, None).await.and(result)
     }
 
-    async fn in_another_mode(&mut self) -> Result<Option<Failure>, Failure> {
-        let family = self.target.family.clone();
-        let wanted = self.mode.as_ref().and_then(|mode| Some((mode.value?, mode.text())));
-        let (Some((value, name)), Some(shows)) = (wanted, family.role("mode-active")) else { return Ok(None) };
-        let Some(now) = raw(self.session, self.target, shows, 0).await?.filter(|now| *now != value) else {
-            return Ok(None);
-        };
-        let label = shows.label();
-        Ok(Some(otherwise(both!(
+    /// What is looked at: the mode that was set with all that makes its setpoint count, as long as it runs, because a drive may end
+    /// these with the run; and what was agreed to.
+    fn looked_at(&self) -> Vec<(u32, Option<i64>, u64)> {
+        let shows = self.target.family.role("mode-active");
+        let mode = self.mode.as_ref().filter(|_| !self.stopping);
+        let active = mode.and_then(|mode| Some((shows?.id, Some(mode.value?), 0)));
+        let presets = mode.iter().flat_map(|mode| &mode.engage).map(|preset| (preset.param, Some(preset.value), 0));
+        // A setpoint that is not given again and again may be changed by somebody else.
+        let given = mode.zip(self.setpoint.as_ref()).filter(|(mode, _)| !mode.zero && mode.starts.is_empty());
+        let given = given.into_iter().flat_map(|(mode, setpoint)| {
+            let below = mode.denominator.zip(setpoint.denominator);
+            [Some((setpoint.param, setpoint.value.raw)), below].into_iter().flatten()
+        });
+        let given = given.map(|(param, raw)| (param, Some(raw), 0));
+        let agreed = self.promises.iter().flat_map(Promise::settings);
+        active.into_iter().chain(presets).chain(given).chain(agreed).collect()
+    }
+
+    /// It works in another mode, or something that decides on its way was changed.
+    fn is_otherwise(&self, param: &Param, then: Option<i64>, now: i64) -> Failure {
+        let family = &self.target.family;
+        let name = self
+            .mode
+            .as_ref()
+            .map(Mode::text)
+            .filter(|_| family.role("mode-active").is_some_and(|row| row.id == param.id));
+        let Some(name) = name else { return broken(&[changed(param, then, Some(now))]) };
+        let label = param.label();
+        otherwise(both!(
             "the drive has left the mode '{name}': {label} = {now}",
             "der Antrieb hat die Betriebsart '{name}' verlassen: {label} = {now}",
             name
-        ))))
+        ))
     }
 
     async fn strayed(&mut self, goal: i64) -> Result<Option<Failure>, Failure> {
@@ -335,7 +356,7 @@ impl Motor<'_, '_> {
     /// What the run has set stands in one data set, and another may be in force. What there is no time for is looked at the next time.
     async fn otherwise_now(&mut self, takes: Span, by: Option<Tick>) -> Result<Option<Failure>, Failure> {
         let family = self.target.family.clone();
-        let settings: Vec<_> = self.promises.iter().flat_map(Promise::settings).collect();
+        let settings = self.looked_at();
         while let Some((id, then, near)) = settings.get(self.course.next).copied() {
             // The data set may be asked for before it.
             if by.is_some_and(|by| self.session.now() + takes.times(2) > by) {
@@ -345,8 +366,8 @@ impl Motor<'_, '_> {
             let param = family.param_or_unknown(id);
             let now = working(self.session, self.target, &param).await?;
             // What is not told is no change.
-            if now.is_some() && !is_near(then, now, near) {
-                return Ok(Some(broken(&[changed(&param, then, now)])));
+            if let Some(now) = now.filter(|_| !is_near(then, now, near)) {
+                return Ok(Some(self.is_otherwise(&param, then, now)));
             }
             self.course.next += 1;
         }

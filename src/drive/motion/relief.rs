@@ -310,7 +310,8 @@ impl Motor<'_, '_> {
 
     /// The stop is proven; what was asked behind it brought no answer.
     pub(super) fn tell_lost(&mut self, failure: &Failure) {
-        let Some((_, at)) = self.shown else { return };
+        // What was seen may be of another one.
+        let Some((_, at)) = self.shown.filter(|_| self.twins().is_none()) else { return };
         let ago = self.session.now().since(at).as_millis();
         self.notes.push(both!(
             "seen without power {ago} ms before the end; not read after that: {why}",

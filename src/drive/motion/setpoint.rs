@@ -2,7 +2,7 @@
 
 use super::before::{Standing, standing};
 use super::look::{raw, working_raw};
-use super::own::shown;
+use super::own::{otherwise, shown};
 use super::shaft::Watch;
 use super::walk::NOT_OBEYED;
 use super::{Lever, Motor};
@@ -22,6 +22,9 @@ const LAG: Span = Span::from_secs(1);
 /// How often a run looks whether it still has control: somebody else may change that, and the status word does not always
 /// tell.
 const CONTROL_LOOKS: Span = Span::from_secs(1);
+
+/// A movement took longer than its run.
+const TIME_OVER: &str = "no.time_over";
 
 /// The drive left the run by itself.
 const LEFT_RUN: &str = "forbidden.left_run";
@@ -77,7 +80,7 @@ impl Motor<'_, '_> {
         {
             // 0 is no mode that could be given back.
             self.engage(selects, value, |old| family.modes.iter().any(|mode| mode.value == Some(old))).await?;
-            self.until_mode(shows, value, &mode.text()).await?;
+            self.until_mode((selects, shows), value, &mode.text()).await?;
         }
         for preset in &mode.engage {
             self.engage(&family.param_or_unknown(preset.param), preset.value, |_| true).await?;
@@ -85,14 +88,22 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    async fn until_mode(&mut self, shows: &Param, value: i64, name: &Text) -> Result<(), Failure> {
-        let wait = self.wait();
+    /// Waits until the drive shows the mode that was selected. Somebody else may select another one meanwhile, in which its shaft turns.
+    async fn until_mode(&mut self, (selects, shows): (&Param, &Param), value: i64, name: &Text) -> Result<(), Failure> {
+        let (wait, begun) = (self.wait(), self.session.now());
+        let mut first = None;
         loop {
             self.look_on().await?;
             let active = raw(self.session, self.target, shows, 0).await?;
             if active == Some(value) {
                 self.entered = true;
                 return Ok(());
+            }
+            // No manual says that a drive tells what was written, nor how soon: that it tells otherwise than before is what counts.
+            let now = (raw(self.session, self.target, selects, 0).await?, active);
+            let is_another = now.0 == now.1 && self.session.now().since(begun) >= LAG;
+            if let Some(other) = now.0.filter(|_| is_another || now != *first.get_or_insert(now)) {
+                return Err(mode_of_others(selects, name, other));
             }
             if wait.is_over(self.session.now()) {
                 let text = both!(
@@ -167,12 +178,30 @@ impl Motor<'_, '_> {
         self.write(param, 0, raw).await
     }
 
-    /// Starts the movement to the setpoint, waits for its end, and takes the start back.
-    pub async fn travel(&mut self, start: &Start) -> Result<(), Failure> {
+    /// Starts the movement to the setpoint, waits for its end, and takes the start back. A run that is bounded ends by then, wherever
+    /// the shaft is.
+    pub async fn travel(&mut self, start: &Start, by: Option<Tick>) -> Result<(), Failure> {
         // Once only: the second time could be another movement.
         self.touched = true;
         self.write_once(&self.control_word()?, 0, start.word.into()).await?;
-        self.until_reached().await?;
+        if by.is_some() {
+            self.session.insist(true);
+            self.tell_held();
+            self.comes_to("held", by);
+        }
+        self.session.end_at(by);
+        let reached = self.until_reached().await;
+        let over = self.session.is_over();
+        self.session.end_at(None);
+        match reached {
+            Err(failure) if over && (failure.is_unheard() || failure.code == TIME_OVER) => {
+                self.notes.push(both!(
+                    "the movement was not at its end when --duration was over",
+                    "die Fahrt war nicht zu Ende, als --duration um war"
+                ));
+            }
+            reached => reached?,
+        }
         let enable = self.target.family.machine.command("enable").map_or(0, |command| command.word);
         self.write_control(enable).await
     }
@@ -189,6 +218,10 @@ impl Motor<'_, '_> {
         let (mut wait, mut fell) = (self.wait(), self.session.now());
         let mut has_fallen = travels || looks == 1;
         loop {
+            if self.session.is_over() {
+                let text = both!("the time of the run is over", "die Zeit des Laufs ist um");
+                return Err(Failure::new(Class::No, TIME_OVER, text));
+            }
             let status = self.look_on().await?;
             self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
             let movement = self.movement().await?;
@@ -211,8 +244,7 @@ impl Motor<'_, '_> {
             }
             if wait.is_over(self.session.now()) {
                 if reached && !is_through {
-                    self.notes_wide_band();
-                    return Ok(());
+                    return Err(self.in_its_band_only());
                 }
                 let text = both!(
                     "the setpoint is not reached and the actual value does not move any more",
@@ -254,16 +286,22 @@ impl Motor<'_, '_> {
         known.is_none_or(|(goal, raw)| raw.abs_diff(goal) <= (goal.unsigned_abs() / 10).max(NEAR))
     }
 
-    /// The shaft does not come nearer, and the drive calls that reached.
-    fn notes_wide_band(&mut self) {
-        let family = &self.target.family;
+    /// The shaft does not come nearer, and the drive calls that reached: its own band is wide.
+    fn in_its_band_only(&mut self) -> Failure {
+        let family = self.target.family.clone();
         let actual = self.setpoint.as_ref().and_then(|setpoint| setpoint.actual).map_or(0, |actual| actual.raw);
         let actual = family.role("movement").map(|param| shown(param, actual)).unwrap_or_default();
-        self.notes.push(both!(
-            "the drive calls the setpoint reached at {actual}: its own band ({label}) is that wide",
-            "der Antrieb nennt den Sollwert bei {actual} erreicht: so weit ist sein eigenes Band ({label})",
+        if let Some(setpoint) = &mut self.setpoint {
+            setpoint.reached = Some(false);
+        }
+        let text = both!(
+            "the setpoint is not reached: the shaft stays at {actual}, and that the drive calls it reached is its own wide band \
+             ({label})",
+            "der Sollwert wird nicht erreicht: die Welle bleibt bei {actual}; erreicht nennt ihn der Antrieb nur, weil sein eigenes \
+             Band so weit ist ({label})",
             label = family.role_label("control-deviation")
-        ));
+        );
+        Failure::new(Class::No, "no.not_reached", text).hint(family.motion.not_reached.clone())
     }
 
     /// A position is no actual value of a speed or a current.
@@ -389,4 +427,14 @@ impl Motor<'_, '_> {
         self.lever = Lever::Contacts;
         self.write_control(word).await
     }
+}
+
+/// Somebody else has selected a mode, in which the shaft turns by a setpoint that nobody agreed to.
+fn mode_of_others(selects: &Param, name: &Text, now: i64) -> Failure {
+    otherwise(both!(
+        "somebody else has selected another mode than '{name}': {label} = {now}",
+        "jemand anderes hat eine andere Betriebsart gewählt als '{name}': {label} = {now}",
+        name,
+        label = selects.label()
+    ))
 }

@@ -249,7 +249,13 @@ impl Motor<'_, '_> {
         self.zero_at_once().await;
         let (told, shown) = self.mode_shown().await;
         self.instead = self.instead.take().or_else(|| left_mode(self.mode.as_ref(), shown.as_ref()));
-        self.zeroes = shown.filter(Mode::zero_stops).map(|mode| mode.setpoint);
+        self.zeroes = shown.as_ref().filter(|mode| mode.zero_stops()).map(|mode| mode.setpoint);
+        if let Some(mode) = shown.as_ref().filter(|mode| mode.zero_stops())
+            && let Some(why) = self.follows_another(mode).await
+        {
+            self.zeroes = None;
+            self.instead = self.instead.take().or(Some(why));
+        }
         let other = row.otherwise.as_ref().filter(|_| self.zeroes.is_none());
         if other.is_some()
             && let Some(told) = told

@@ -58,7 +58,7 @@ impl Motor<'_, '_> {
         if old == new {
             return Ok(());
         }
-        self.note_change(param, set, old, new);
+        self.note_change(param, set, old, new)?;
         let runs = self.taken == Taken::Running;
         let word = word.filter(|_| runs && self.enabled && !counts(control, old));
         if let Some(word) = word

@@ -10,7 +10,7 @@ use crate::drive::job::{self, Step};
 use crate::exchange::dp::{Asked, MASTER, Request, Told};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
-use crate::outcome::{Decimal, ErrorDoc, TelegramDoc, WriteResult, Written};
+use crate::outcome::{ErrorDoc, TelegramDoc, WriteResult, Written};
 use crate::profile::value::{self, from_wire};
 use crate::profile::{Family, Type};
 use crate::protocol::dp::Service;
@@ -76,7 +76,7 @@ impl Exchange<'_, '_> {
             Err(failure) => return Err(failure),
         };
         row.old_raw = Some(raw);
-        row.old = value::digits(&step.param, raw).map(|(raw, decimals)| Decimal { raw, decimals });
+        row.old = describe::scaled(&step.param, raw);
         if raw == step.raw && !force && step.param.id != STORE {
             row.result = WriteResult::Unchanged;
         }

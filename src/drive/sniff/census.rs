@@ -51,6 +51,8 @@ pub(super) struct Came {
     pub(super) last: Tick,
     /// All of its bytes.
     pub(super) bytes: u64,
+    /// Whether it is a request or a reply is not told by its bytes.
+    pub(super) alike: bool,
 }
 
 /// A question that is not answered yet.
@@ -62,6 +64,8 @@ struct Open {
     at: Tick,
     /// How often it was asked again.
     again: u64,
+    /// So many telegrams came since that can be its reply or itself once more.
+    doubts: u64,
 }
 
 /// What was counted of a station.
@@ -70,6 +74,7 @@ struct Tally {
     requests: u64,
     replies: u64,
     unanswered: u64,
+    either: u64,
     exceptions: u64,
     check_errors: u64,
     short_pauses: u64,
@@ -79,7 +84,14 @@ struct Tally {
     times: BTreeMap<u64, u64>,
     fastest: Option<Span>,
     slowest: Option<Span>,
+    /// The longest time of a reply that its bytes tell for one.
+    surely: Option<Span>,
 }
+
+/// What counts as the reply where a request looks the same: twice as long as a reply took that cannot be mistaken, and what the buffer
+/// of an adapter may add; of a station of which none is known, what drives usually take.
+const BUFFERED: Span = Span::from_millis(20);
+const USUAL: Span = Span::from_millis(100);
 
 /// A time in the rows of [`Tally::times`].
 const TENTH_MS: u64 = 100;
@@ -99,7 +111,8 @@ impl Census {
         let start = Tick::from_micros(came.first.as_micros().saturating_sub(self.terms.chars(came.piece).as_micros()));
         let pause = self.last.replace(came.last).filter(|last| came.first > *last).map(|last| start.since(last));
         let Some(address) = doc.address.filter(|_| doc.check_ok) else {
-            if let Some(open) = &self.open {
+            // What names nobody and is whole, a token, disturbed nothing.
+            if let Some(open) = self.open.as_ref().filter(|_| !doc.check_ok) {
                 self.stations.entry(open.address).or_default().check_errors += 1;
             }
             return;
@@ -112,7 +125,22 @@ impl Census {
         match doc.direction {
             Some("request") => self.asked(address, doc, came.last),
             None if !answers => self.asked(address, doc, came.last),
+            None => self.doubts(address, came.last),
             _ => self.answered(address, doc, start, came),
+        }
+    }
+
+    /// How long after a request a telegram that looks the same is taken for its reply.
+    pub(super) fn in_time(&self, address: u8) -> Span {
+        let known = self.stations.get(&address).and_then(|tally| tally.surely);
+        known.map_or(USUAL, |known| known.times(2) + BUFFERED).min(self.terms.patience)
+    }
+
+    /// The reply to what is open, late, or the same request once more.
+    fn doubts(&mut self, address: u8, at: Tick) {
+        self.stations.entry(address).or_default().either += 1;
+        if let Some(open) = &mut self.open {
+            (open.at, open.doubts) = (at, open.doubts + 1);
         }
     }
 
@@ -121,16 +149,26 @@ impl Census {
         let again = match self.open.take() {
             Some(open) => {
                 self.missed(&open);
-                let is_same = open.address == address && open.hex == doc.hex;
+                let is_same = open.address == address && open.hex == doc.hex && open.doubts == 0;
                 if is_same { open.again + 1 } else { self.close(&open) }
             }
             None => 0,
         };
-        self.open = (address != self.terms.everybody).then(|| Open { address, hex: doc.hex.clone(), at, again });
+        self.open =
+            (address != self.terms.everybody).then(|| Open { address, hex: doc.hex.clone(), at, again, doubts: 0 });
     }
 
     fn answered(&mut self, address: u8, doc: &TelegramDoc, start: Tick, came: Came) {
-        let open = self.open.take_if(|open| open.address == address);
+        let mut open = self.open.take_if(|open| open.address == address);
+        if let Some(open) = open.as_mut().filter(|open| open.doubts > 0) {
+            // So the last one in doubt was the request; and the one before, if nothing else lies between, was not answered.
+            let tally = self.stations.entry(address).or_default();
+            (tally.requests, tally.either) = (tally.requests + 1, tally.either.saturating_sub(1));
+            if open.doubts == 1 {
+                tally.unanswered += 1;
+                open.again += 1;
+            }
+        }
         if let Some(open) = &open {
             self.close(open);
         }
@@ -139,12 +177,19 @@ impl Census {
         tally.exceptions += u64::from(doc.refuses);
         // What was handed over with its question tells no time.
         if let Some(open) = open.filter(|open| came.first > open.at) {
-            tally.took(start.since(open.at));
+            let time = start.since(open.at);
+            tally.took(time);
+            if !came.alike {
+                tally.surely = Some(tally.surely.map_or(time, |known| known.max(time)));
+            }
         }
     }
 
-    /// Nobody answered.
+    /// Nobody answered, unless something came that can be the reply.
     fn missed(&mut self, open: &Open) {
+        if open.doubts > 0 {
+            return;
+        }
         self.stations.entry(open.address).or_default().unanswered += 1;
     }
 
@@ -162,7 +207,9 @@ impl Census {
         let tenths = (busy.saturating_mul(1_000)).checked_div(listened).unwrap_or(0).min(1_000);
         let waiting = self.open.as_ref();
         let is_late = |address: u8| {
-            waiting.is_some_and(|open| open.address == address && now.since(open.at) > self.terms.patience)
+            waiting.is_some_and(|open| {
+                open.address == address && open.doubts == 0 && now.since(open.at) > self.terms.patience
+            })
         };
         let again =
             |address: u8| waiting.filter(|open| open.address == address && open.again > 0).map(|open| open.again);
@@ -203,6 +250,7 @@ impl Tally {
             requests: self.requests,
             replies: self.replies,
             unanswered: self.unanswered + u64::from(is_late),
+            either: self.either,
             exceptions: self.exceptions,
             repeats: repeats.into_iter().map(|(times, questions)| Repeats { times, questions }).collect(),
             fastest_us: self.fastest.map(Span::as_micros),
@@ -232,7 +280,7 @@ mod tests {
     /// Handed over in one piece at this time.
     fn at(ms: u64, bytes: u64) -> Came {
         let at = Tick::from_micros(ms * 1_000);
-        Came { first: at, piece: bytes, last: at, bytes }
+        Came { first: at, piece: bytes, last: at, bytes, alike: false }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::back::put_back;
 use super::choice::in_sets;
 use super::ended::{Applied, untouched};
-use super::meanwhile::{still_stands, still_stands_at};
+use super::meanwhile::{still_equal, still_stands, still_stands_at};
 use super::plan::{Kept, Plan, is_touched};
 use super::progress::{Doing, progress};
 use super::proof::{in_force, look};
@@ -90,6 +90,7 @@ async fn forward(
         notes.push(runs_now(plan.job.target.address));
     }
     let failures = in_force(session, plan).await?;
+    still_equal(session, plan).await?;
     // The proof comes last: nothing is asked behind it that could find the drive restarted.
     prove(session, plan).await?;
     let ended = if failures.is_empty() { LoadEnd::Done } else { LoadEnd::Stored };
@@ -163,15 +164,14 @@ async fn look_again(session: &mut Session<'_>, plan: &mut Plan, written: usize) 
 /// Proves once more what was promised: power that failed for a moment takes back what went into the RAM, and a drive may
 /// change what it was told before.
 async fn prove(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
-    let in_ram = plan.job.steps.iter().any(|step| step.set >= DataSets::RAM_OFFSET);
-    let all = in_ram || !plan.watched.is_empty();
-    let is_due = |row: &Written| match row.result {
+    let is_due = |(step, row): (&Step, &Written)| match row.result {
         WriteResult::Verified | WriteResult::Stored => true,
-        WriteResult::Unchanged => all,
+        WriteResult::Unchanged => step.set >= DataSets::RAM_OFFSET,
         _ => false,
     };
     let Job { target, steps, rows } = &mut plan.job;
-    let due: Vec<usize> = (0..).zip(rows.iter()).filter(|(_, row)| is_due(row)).map(|(index, _)| index).collect();
+    let all = (0..).zip(steps.iter().zip(rows.iter()));
+    let due: Vec<usize> = all.filter(|(_, pair)| is_due(*pair)).map(|(index, _)| index).collect();
     let of = |index: &usize| steps.get(*index).map(Kept::wanted);
     let places: Vec<Kept> = due.iter().filter_map(of).collect();
     let mut wrong = None;

@@ -10,7 +10,7 @@ use super::proof::{in_force, look};
 use super::running::RUNNING;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{stands, stands_at};
-use crate::drive::{Order, Session, WriteFate, is_over};
+use crate::drive::{AccessError, Order, Session, WriteFate, is_over};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
@@ -100,12 +100,24 @@ impl Way {
         for (param, set) in places.iter().cycle() {
             let found = stands_at(session, target, param, *set).await;
             self.is_gone = found.is_err_and(|failure| is_unheard(&failure));
-            if !self.is_gone || session.now() >= until || session.rest(PAUSE).await.is_err() {
+            if !self.is_gone || session.now() >= until || pause(session).await.is_err() {
                 break;
             }
         }
         session.set_retries(retries);
         !self.is_gone
+    }
+}
+
+/// Waits for the next look. That nobody on a CAN bus acknowledges what its adapter sent before is no news, and ends no wait.
+async fn pause(session: &mut Session<'_>) -> Result<(), AccessError> {
+    let until = session.now() + PAUSE;
+    loop {
+        match session.rest(until.since(session.now())).await {
+            Err(error) if is_unheard(&error.failure(0, None)) && session.now() < until => {}
+            Err(error) if is_unheard(&error.failure(0, None)) => return Ok(()),
+            rested => return rested,
+        }
     }
 }
 
@@ -198,8 +210,10 @@ async fn look_back(
 /// What is put back, in its order: first what can start a shaft, then what the rest depends on, then the rest from its end.
 fn back_order(plan: &Plan) -> Vec<Kept> {
     let rules = &plan.job.target.family.files;
+    // What else a value changes that changes others, no source tells: all of the plan is looked at.
+    let any = plan.altering().next().is_some();
     // Whatever ended the load may have taken from the RAM what nobody touched.
-    let is_due = |(step, row): &(&job::Step, &Written)| is_touched(row) || step.set >= DataSets::RAM_OFFSET;
+    let is_due = |(step, row): &(&job::Step, &Written)| any || is_touched(row) || step.set >= DataSets::RAM_OFFSET;
     let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(is_due);
     let mut order: Vec<Kept> = rows
         .filter_map(|(step, row)| Some(Kept { param: step.param.clone(), set: step.set, raw: row.old_raw? }))
@@ -213,7 +227,7 @@ fn back_order(plan: &Plan) -> Vec<Kept> {
     // What is stored takes the RAM with it, there and back; and what it held besides goes with the power.
     let rows = || plan.job.steps.iter().zip(&plan.job.rows);
     for (step, row) in rows() {
-        let is_due = |kept: &&Kept| is_touched(row) || row.old_raw != Some(kept.raw);
+        let is_due = |kept: &&Kept| any || is_touched(row) || row.old_raw != Some(kept.raw);
         order.extend(plan.behind(step).filter(is_due).cloned());
     }
     back_sorted(order, rules)

@@ -52,16 +52,12 @@ impl Choice {
                 Failure::new(Class::Data, "data.no_ram", text).hint(both!("leave --ram out", "--ram weglassen"))
             );
         }
-        let (only, except) = (self.named(&self.only, family)?, self.named(&self.except, family)?);
-        let particular: Vec<String> =
-            self.only.iter().filter(|word| !bare(word).eq_ignore_ascii_case(EVERYTHING)).cloned().collect();
+        let is_meant = self.meant(family)?;
+        let particular: Vec<String> = self.only.iter().filter(|word| !is_everything(word)).cloned().collect();
         let asked = self.named(&particular, family)?;
         let (mut steps, mut left_out) = (Vec::new(), Vec::new());
-        for setting in settings.iter() {
+        for setting in settings.iter().filter(|setting| is_meant(setting.param.id)) {
             let id = setting.param.id;
-            if (!self.only.is_empty() && !only.contains(&id)) || except.contains(&id) {
-                continue;
-            }
             match family.files.goes(&setting.param) {
                 Goes::Always => steps.extend(self.places(setting, settings)),
                 Goes::IfAsked if asked.contains(&id) => steps.extend(self.places(setting, settings)),
@@ -80,13 +76,9 @@ impl Choice {
     /// # Errors
     /// A word names neither a group nor a parameter of the family, or nothing is left.
     pub fn pick(&self, settings: &mut Settings, family: &Family) -> Result<(), Failure> {
-        let (only, except) = (self.named(&self.only, family)?, self.named(&self.except, family)?);
+        let is_meant = self.meant(family)?;
         let mut picked = Settings::default();
-        for setting in settings.iter() {
-            let id = setting.param.id;
-            if (!self.only.is_empty() && !only.contains(&id)) || except.contains(&id) {
-                continue;
-            }
+        for setting in settings.iter().filter(|setting| is_meant(setting.param.id)) {
             match self.sets.is_empty() {
                 true => drop(picked.insert(setting.clone())),
                 false => self.places(setting, settings).into_iter().for_each(|step| {
@@ -107,6 +99,14 @@ impl Choice {
         }
         *settings = picked;
         Ok(())
+    }
+
+    /// Tells by its number whether a setting is meant. Everything is also what no catalogue knows (`--discover` saves it).
+    fn meant(&self, family: &Family) -> Result<impl Fn(u32) -> bool, Failure> {
+        let (only, except) = (self.named(&self.only, family)?, self.named(&self.except, family)?);
+        let is_all = |words: &[String]| words.iter().any(|word| is_everything(word));
+        let (any, none) = (self.only.is_empty() || is_all(&self.only), is_all(&self.except));
+        Ok(move |id| (any || only.contains(&id)) && !none && !except.contains(&id))
     }
 
     /// The numbers that words name in a family; none where only another one knows them.
@@ -152,6 +152,10 @@ fn numbers(word: &str, family: &Family) -> Option<BTreeSet<u32>> {
     let selector: Selector = word.parse().ok()?;
     let found = Some(selector).filter(|selector| !selector.names_sets())?.resolve(family).ok()?;
     Some(found.into_iter().map(|one| one.param.id).collect())
+}
+
+fn is_everything(word: &str) -> bool {
+    bare(word).eq_ignore_ascii_case(EVERYTHING)
 }
 
 fn bare(word: &str) -> &str {

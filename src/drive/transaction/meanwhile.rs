@@ -20,11 +20,31 @@ use std::collections::BTreeMap;
 /// # Errors
 /// Something stands there that was not asked about; its rows say what. Or the drive does not answer.
 pub(super) async fn still_stands(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
+    let is_planned = |row: &Written| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged);
+    stand(session, plan, plan.groups(is_planned), Doing::Reads).await
+}
+
+/// Reads once more what the drive had already when it was planned: nobody wrote it, and somebody may have changed it since, or the
+/// drive itself behind a value that changes others. What stands in the RAM alone the proof of what was written looks at.
+///
+/// # Errors
+/// As [`still_stands`].
+pub(super) async fn still_equal(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
+    let is_equal = |row: &Written| row.result == WriteResult::Unchanged && row.store != "ram";
+    stand(session, plan, plan.groups(is_equal), Doing::Proves).await
+}
+
+async fn stand(
+    session: &mut Session<'_>,
+    plan: &mut Plan,
+    groups: Vec<Vec<usize>>,
+    doing: Doing,
+) -> Result<(), Failure> {
     let mut failures = Vec::new();
     let total = plan.job.steps.len();
-    for group in plan.groups(|row| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged)) {
+    for group in groups {
         if let Some((first, step)) = group.first().and_then(|index| Some((*index, plan.job.steps.get(*index)?))) {
-            session.tell(progress(Doing::Reads, first, total, &step.param));
+            session.tell(progress(doing, first, total, &step.param));
         }
         failures.extend(compared(session, plan, group).await?);
     }
@@ -68,7 +88,10 @@ async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>)
     let mut now: Now = stands(session, target, &param, &sets).await?.into_iter().collect();
     now.extend(ram_stands(session, target, &param, &sets).await?);
     for (index, step) in &steps {
-        let behind: Vec<Kept> = plan.behind(step).cloned().collect();
+        // What goes into the RAM by itself has a row of its own.
+        let has_row =
+            |kept: &Kept| plan.job.steps.iter().any(|own| (own.param.id, own.set) == (kept.param.id, kept.set));
+        let behind: Vec<Kept> = plan.behind(step).filter(|kept| !has_row(kept)).cloned().collect();
         let Some(row) = plan.job.rows.get_mut(*index) else { continue };
         failures.extend(changed(row, step, &behind, &now));
     }
@@ -77,11 +100,13 @@ async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>)
 
 /// What stands at a place or behind it in the RAM, if that is not what was planned with, or why it is not told.
 fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &Now) -> Option<Failure> {
-    let told = |set: u8| now.get(&set).and_then(|told| told.as_ref().ok()).copied();
+    // Four that differed may be told as one by now.
+    let found = |set: u8| now.get(&set).or_else(|| now.get(&(set - set % DataSets::RAM_OFFSET)));
+    let told = |set: u8| found(set).and_then(|told| told.as_ref().ok()).copied();
     let stored = row.old_raw.map(|raw| (step.set, raw));
     let planned = stored.into_iter().chain(behind.iter().map(|kept| (kept.set, kept.raw)));
     let (set, then) = planned.into_iter().find(|(set, raw)| told(*set) != Some(*raw))?;
-    let failure = match now.get(&set) {
+    let failure = match found(set) {
         Some(Err(refused)) => refused.clone(),
         _ => not_as_planned(step, (set, then), told),
     };
@@ -111,7 +136,7 @@ fn not_as_planned(step: &Step, (set, then): (u8, i64), told: impl Fn(u8) -> Opti
 
 impl Plan {
     /// Numbers of what was written and changes others.
-    fn altering(&self) -> impl Iterator<Item = u32> {
+    pub(super) fn altering(&self) -> impl Iterator<Item = u32> {
         let rules = &self.job.target.family.files;
         let touched = self.job.steps.iter().zip(&self.job.rows).filter(|(_, row)| is_touched(row));
         touched.map(|(step, _)| step.param.id).filter(|id| rules.altered_by(*id).next().is_some())
@@ -121,17 +146,21 @@ impl Plan {
     fn is_own(&self, place: &Kept, now: i64) -> bool {
         let Kept { param, set, raw } = place;
         let rules = &self.job.target.family.files;
+        let is_of = |step: &Step| step.param.id == param.id && (covers(step.set, *set) || lies_behind(*set, step.set));
         let alters = |id| rules.altered_by(id).any(|altered| altered == param.id);
+        // What else such a value changes is in no source; what was written behind it is known.
+        let is_written = |(step, row): (&Step, &Written)| is_touched(row) && is_of(step);
+        let rows = || self.job.steps.iter().zip(&self.job.rows);
         // What a drive makes of a value that it does not take as it is nobody else has written.
         let by_row = |(step, row): (&Step, &Written)| {
-            let is_of_it = step.param.id == param.id && (covers(step.set, *set) || lies_behind(*set, step.set));
-            is_of_it && (step.raw == now || row.old_raw == Some(now) || row.result == WriteResult::Differs)
+            is_of(step) && (step.raw == now || row.old_raw == Some(now) || row.result == WriteResult::Differs)
         };
         let stood = |kept: &Kept| kept.param.id == param.id && covers(kept.set, *set) && kept.raw == now;
         let loses = |kept: &Kept| kept.param.id == param.id && lies_behind(*set, kept.set) && kept.raw == now;
         now == *raw
             || self.altering().any(alters)
-            || self.job.steps.iter().zip(&self.job.rows).any(by_row)
+            || self.altering().next().is_some() && !rows().any(is_written)
+            || rows().any(by_row)
             || self.in_force.iter().any(stood)
             || self.beneath.iter().any(loses)
     }

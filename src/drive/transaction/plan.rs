@@ -180,7 +180,7 @@ pub(super) async fn prepare(
     }
     plan.watch(session).await?;
     plan.note_hidden(session, terms, purpose);
-    plan.count();
+    plan.count(purpose);
     Ok(plan)
 }
 
@@ -324,7 +324,7 @@ impl Plan {
     }
 
     /// The parameters that are going to be written and change others, and whether in RAM only.
-    fn alters(&self) -> Vec<(u32, bool)> {
+    pub(super) fn alters(&self) -> Vec<(u32, bool)> {
         let rules = &self.job.target.family.files;
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let todo = rows.filter(|(_, row)| row.result == WriteResult::Planned);
@@ -333,7 +333,7 @@ impl Plan {
     }
 
     /// Bounds for what the EEPROM has to bear. What the drive changes by itself counts too.
-    fn count(&mut self) {
+    fn count(&mut self, purpose: &Purpose) {
         let family = self.job.target.family.clone();
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let todo = rows.clone().filter(|(_, row)| row.result == WriteResult::Planned);
@@ -341,10 +341,15 @@ impl Plan {
         let watched = self.watched.iter().filter(|kept| kept.set < 5).count() as u64;
         let is_watched =
             |step: &Step| self.watched.iter().any(|kept| (kept.param.id, kept.set) == (step.param.id, step.set));
-        let again = rows.filter(|(step, row)| row.result == WriteResult::Unchanged && is_watched(step));
-        let again: u64 = again.map(|(step, _)| cells(step, &family)).sum();
-        self.eeprom_writes = written + watched + again;
-        self.eeprom_writes_back = written + 2 * watched;
+        let equal = |watched: bool| {
+            let equal = rows.clone().filter(|(_, row)| row.result == WriteResult::Unchanged);
+            equal.filter(|(step, _)| is_watched(step) == watched).map(|(step, _)| cells(step, &family)).sum::<u64>()
+        };
+        // A value that changes others may take with it what nobody writes: that goes back too.
+        let moved = if self.alters().is_empty() { 0 } else { equal(false) };
+        let moved_on = if matches!(purpose, Purpose::Back(_)) { moved } else { 0 };
+        self.eeprom_writes = written + watched + equal(true) + moved_on;
+        self.eeprom_writes_back = written + 2 * watched + moved;
     }
 }
 

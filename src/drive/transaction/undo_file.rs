@@ -123,14 +123,20 @@ fn text(head: &Head, plan: &Plan) -> String {
     let own = |step: &Step| kind(step).filter(|kind| step.param.kind.is_some_and(|usual| usual != *kind));
     let types = plan.job.steps.iter().filter_map(|step| Some((step.param.id, own(step)?))).collect();
     let head = &Head { types, ..head.clone() };
-    let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| row.result == WriteResult::Planned);
+    // Behind a value that changes others, also what nobody writes may stand otherwise.
+    let moves = !plan.alters().is_empty();
+    let is_due = |row: &Written| row.result == WriteResult::Planned || moves && row.result == WriteResult::Unchanged;
+    let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| is_due(row));
     let ram = plan.is_of_ram();
     for (step, row) in rows.filter(|(step, _)| ram == (step.set >= DataSets::RAM_OFFSET)) {
         let kind = kind(step);
         let of = |raw: i64| Setting { param: step.param.clone(), set: step.set % 5, raw, kind, at: nowhere() };
         if let Some(before) = row.old_raw {
             old.insert(of(before));
-            new.insert(of(step.raw));
+            // Of what was not to be written nobody knows what came.
+            if row.result == WriteResult::Planned {
+                new.insert(of(step.raw));
+            }
         }
     }
     for kept in plan.watched.iter().filter(|kept| ram == (kept.set >= DataSets::RAM_OFFSET)) {

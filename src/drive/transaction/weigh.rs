@@ -4,7 +4,7 @@ use crate::drive::job::{self, Step};
 use crate::drive::transfer::hides_width;
 use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Decimal, ErrorDoc, WriteResult, Written};
+use crate::outcome::{ErrorDoc, WriteResult, Written};
 use crate::profile::paramfile::value_text;
 use crate::profile::{DataSets, Family, FileRules, Param, Role, Type, value};
 use crate::text::{Text, both};
@@ -57,7 +57,7 @@ pub(super) fn weigh(
     let mut row = Written { node: session.node(), ..row };
     if let Ok(old) = old {
         row.old_raw = Some(old);
-        row.old = value::digits(&step.param, old).map(|(raw, decimals)| Decimal { raw, decimals });
+        row.old = describe::scaled(&step.param, old);
     }
     let kind = target.known_width(step.param.id).or(step.kind);
     let is_hidden = |raw: i64| step.kind.is_none() && hides_width(session, &step.param, raw);

@@ -56,6 +56,11 @@ impl Item {
         self.full
     }
 
+    /// Whether it is one value, without data sets, that the drive has.
+    pub(super) fn is_plain(&self) -> bool {
+        self.sets == DataSets::Unnamed && self.refused.is_none()
+    }
+
     pub(super) async fn read(&mut self, reader: &mut Reader<'_, '_>) -> Result<Vec<Value>, Failure> {
         reader.lenient = self.lenient;
         let rows = reader.rows(&self.param, self.sets).await?;
@@ -106,7 +111,7 @@ impl Item {
 }
 
 /// What every family has, in the order of the default view.
-const ROLES: [&str; 12] = [
+const ROLES: [&str; 13] = [
     "status-word",
     "setpoint-ramp",
     "actual-frequency",
@@ -119,4 +124,5 @@ const ROLES: [&str; 12] = [
     "fault",
     "warnings",
     "setpoint-bus",
+    "setpoint-velocity",
 ];

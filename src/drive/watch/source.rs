@@ -2,10 +2,11 @@
 
 use super::Watch;
 use super::station::{Haul, Station, terse};
-use crate::drive::{Reader, Session, Terms};
+use crate::drive::{Reader, Session, Terms, describe};
 use crate::exchange::Tally;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, SampleValue};
+use crate::profile::Param;
 use crate::tick::{Span, Tick};
 
 /// Where samples come from.
@@ -100,6 +101,14 @@ async fn asked(session: &mut Session<'_>, station: &mut Station, watch: &Watch<'
     let family = target.family.clone();
     let mut reader = Reader::new(session, target);
     reader.asked_widths = std::mem::take(&mut station.asked_widths);
+    // What lies next to each other comes in one telegram, where the family has such.
+    let mut together: Vec<Param> =
+        station.items.iter().filter(|item| item.is_plain()).map(|item| item.param().clone()).collect();
+    together.sort_by_key(|param| param.id);
+    // Who was silent is asked once.
+    if station.silent.is_none() {
+        reader.fetch(&together).await?;
+    }
     let mut silence: Option<Failure> = None;
     for item in &mut station.items {
         let rows = match silence.as_ref().or(item.refused.as_ref()) {
@@ -115,6 +124,14 @@ async fn asked(session: &mut Session<'_>, station: &mut Station, watch: &Watch<'
         }
         let t = watch.seconds(reader.session.now());
         haul.values.extend(rows.into_iter().map(|value| SampleValue { t, value: terse(value) }));
+    }
+    let word = haul.values.iter().find_map(|row| row.value.word.as_ref().filter(|word| word.state.is_some()));
+    let shown = family.role("fault").is_some_and(|fault| station.items.iter().any(|item| item.param().id == fault.id));
+    if let Some(word) = word.filter(|word| !shown && station.memory.is_new(word.state.as_ref())) {
+        // It trips, and nobody watches what ails it: it is asked once.
+        let code = reader.role("fault").await?.and_then(|value| u32::try_from(value.raw?).ok());
+        let code = code.and_then(|code| family.present_fault(Some(word.raw), code));
+        station.fault = code.and_then(|code| describe::fault(&family, code));
     }
     haul.warnings = std::mem::take(&mut reader.warnings);
     station.asked_widths = reader.asked_widths;

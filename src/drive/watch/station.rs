@@ -26,7 +26,7 @@ pub(in crate::drive) struct Station {
     pub(super) asked_widths: Vec<u32>,
     /// What is waited for in it.
     armed: Vec<Armed>,
-    memory: Memory,
+    pub(super) memory: Memory,
     /// What ails it now, where no value tells that.
     pub(in crate::drive) fault: Option<Fault>,
 }

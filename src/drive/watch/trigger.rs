@@ -29,7 +29,7 @@ pub enum Signal {
 /// What the signal must do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Test {
-    /// Become this state, out of another one.
+    /// Become this state, out of another one; a fault is any state of one.
     Becomes(String),
     /// Compare so with this level, and not have done so before; also at the first look.
     Is(Compare, i64),
@@ -108,7 +108,9 @@ impl Armed {
     fn becomes(&mut self, sample: &Sample) -> bool {
         let Some(now) = sample.state.as_ref().map(|state| state.slug.clone()) else { return false };
         let before = self.state.replace(now.clone());
-        matches!(&self.test, Test::Becomes(wanted) if *wanted == now && before.is_some_and(|before| before != now))
+        // A drive is in a fault from the reaction to it on.
+        let is_it = |wanted: &str, state: &str| state == wanted || (wanted == "fault" && state.starts_with("fault"));
+        matches!(&self.test, Test::Becomes(wanted) if is_it(wanted, &now) && before.is_some_and(|before| !is_it(wanted, &before)))
     }
 }
 

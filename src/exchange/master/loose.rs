@@ -106,6 +106,9 @@ impl Master {
         }
         let Some(said) = said else { return };
         if let Some(question) = answered {
+            if let Some(missed) = self.debts.missed(station, question) {
+                self.heard.sees_late(station, at.since(missed));
+            }
             self.late = Some((station, question.clone(), said.clone()));
         }
         // One answer was doubted, and this is another one to the same question.
@@ -128,6 +131,9 @@ impl Master {
         if second && alone && !overtaken {
             self.heard.sees_surplus(station);
             self.twins.marks(station, at);
+            if self.is_alone(at) && !self.dialect.is_numbered() {
+                self.twins.contradicts(station);
+            }
         } else {
             self.suspect(station, at);
         }

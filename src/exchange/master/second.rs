@@ -25,9 +25,14 @@ impl Master {
 
     /// More came from a station than was asked for, or less: a second drive may be the cause, unless another master is.
     pub(super) fn suspect(&mut self, station: u8, at: Tick) {
-        if self.others[0].is_none_or(|heard| at.since(heard) > ALONE_AFTER) {
+        if self.is_alone(at) {
             self.twins.suspects(station);
         }
+    }
+
+    /// Whether nobody else was heard to ask anything on this line.
+    pub(super) fn is_alone(&self, at: Tick) -> bool {
+        self.others[0].is_none_or(|heard| at.since(heard) > ALONE_AFTER)
     }
 
     /// Whether another master asks on this line. One question may be garbage that has a right check value by chance.

@@ -141,6 +141,9 @@ impl Master {
             return;
         }
         self.reached.insert(job.station);
+        if job.asked == 1 && at.since(sent_end) < job.limits.reply_timeout.min(LATEST_REPLY) {
+            self.heard.sees_prompt(job.station);
+        }
         if !said.is_refusal() && job.question.is_harmless() {
             let known = self.known.entry(job.station).or_default();
             known.retain(|known| *known != job.question);

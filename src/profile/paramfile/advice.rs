@@ -4,6 +4,9 @@ use crate::text::{Text, both};
 
 /// What helps where the reader of TOML stumbled, at this byte; `None` where the format says all there is.
 pub(super) fn advice(text: &str, at: usize, error: &str) -> Option<Text> {
+    if let Some(of_format) = of_format(error) {
+        return of_format;
+    }
     let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let (before, line) = (text.get(..start)?, text.get(start..)?.lines().next()?);
     let (key, value) = line.split('#').next()?.split_once('=')?;
@@ -26,6 +29,24 @@ pub(super) fn advice(text: &str, at: usize, error: &str) -> Option<Text> {
             "ein Wert mit Komma oder Einheit steht in Anführungszeichen: {key} = \"{value}\""
         )
     })
+}
+
+/// What helps where the TOML is right and does not fit the format; `None` where it is the TOML.
+fn of_format(error: &str) -> Option<Option<Text>> {
+    const OTHERS: [&str; 4] = ["unknown variant ", "invalid type: ", "invalid value: ", "data did not match "];
+    if error.starts_with("missing field ") {
+        return Some(Some(both!(
+            "the least that a file holds: `antrieb = 1`, below `[drive]` its `family = \"acu\"`, and below `[values]` a line a value",
+            "das Mindeste einer Datei: `antrieb = 1`, unter `[drive]` die `family = \"acu\"` und unter `[values]` eine Zeile je Wert"
+        )));
+    }
+    if error.starts_with("unknown field ") {
+        return Some(Some(both!(
+            "values of parameters stand below `[values]`; what else a file may say: docs/parameter-files.md",
+            "Werte von Parametern stehen unter `[values]`; was eine Datei sonst sagen kann: docs/parameter-files.md"
+        )));
+    }
+    OTHERS.iter().any(|start| error.starts_with(start)).then_some(None)
 }
 
 /// What helps where a line has no value.

@@ -74,6 +74,10 @@ fn ended(ended: LoadEnd, rows: &[Written]) -> &'static str {
         LoadEnd::Done => "done, every value proven",
         LoadEnd::Stored => "stored, not all in force",
         LoadEnd::Untouched => "nothing was changed",
+        // What somebody else has changed stays.
+        LoadEnd::Back if rows.iter().any(|row| row.result == WriteResult::Skipped && row.error.is_some()) => {
+            "what was written is as before, proven"
+        }
         LoadEnd::Back => "as before, proven",
         LoadEnd::Torn => "NOT as before",
     }

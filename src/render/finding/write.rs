@@ -2,7 +2,7 @@
 
 use super::page::{Page, set_name, shown};
 use super::{Finding, Rows};
-use crate::outcome::{Write, WriteResult, Written, numbered};
+use crate::outcome::{Decimal, Write, WriteResult, Written, numbered};
 use std::collections::BTreeSet;
 
 impl Finding for Write {
@@ -37,8 +37,8 @@ impl Page {
                 self.word(row.store).to_owned(),
                 self.say(&row.name),
                 old(row),
-                shown(row.value, false),
-                row.unit.clone().unwrap_or_default(),
+                new(row),
+                self.unit_of(row),
                 self.word(result(row.result)).to_owned(),
                 remark.join("; "),
             ]
@@ -77,11 +77,17 @@ impl Page {
             sets(row, last),
             self.say(&row.name),
             old(row),
-            shown(row.value, false) + &text.unwrap_or_default(),
-            row.unit.clone().unwrap_or_default(),
+            new(row) + &text.unwrap_or_default(),
+            self.unit_of(row),
             self.word(result(row.result)).to_owned(),
         ];
         address.into_iter().chain(cells).collect()
+    }
+
+    /// The unit, or that the numbers are raw, because no source tells where their point stands.
+    fn unit_of(self, row: &Written) -> String {
+        let is_raw = row.value.is_none() && row.unit.is_some();
+        if is_raw { self.word("raw").to_owned() } else { row.unit.clone().unwrap_or_default() }
     }
 
     /// Why a value did not go, what is odd about it, and the telegram of one that is only planned.
@@ -125,7 +131,15 @@ fn are_alike(one: &Written, next: &Written) -> bool {
 }
 
 fn old(row: &Written) -> String {
-    row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false))
+    row.old_raw.map_or_else(|| "?".to_owned(), |raw| digits(row.old, raw))
+}
+
+fn new(row: &Written) -> String {
+    digits(row.value, row.raw)
+}
+
+fn digits(value: Option<Decimal>, raw: i64) -> String {
+    value.map_or_else(|| raw.to_string(), |value| shown(value, false))
 }
 
 pub(super) fn result(result: WriteResult) -> &'static str {

@@ -30,7 +30,7 @@ impl Board {
     /// What stands over a column: short for what every drive has, the name for the rest.
     pub(super) fn label(&self, column: &Column, lang: Lang) -> String {
         let short = |column: &Column| match column.role {
-            Some("setpoint-ramp" | "setpoint-bus") => Some("setpoint"),
+            Some("setpoint-ramp" | "setpoint-bus" | "setpoint-velocity") => Some("setpoint"),
             Some("actual-frequency" | "stator-frequency" | "encoder-frequency" | "actual-speed") => Some("actual"),
             Some("current") => Some("current"),
             Some("dc-link-voltage") => Some("DC link"),

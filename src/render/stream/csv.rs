@@ -3,7 +3,7 @@
 
 use super::Form;
 use super::cells::{Board, bits, number, seconds};
-use crate::outcome::{Record, Sample};
+use crate::outcome::{Column, Record, Sample};
 use crate::profile::Lang;
 use crate::render::clean;
 use std::io::{self, Write};
@@ -34,9 +34,15 @@ impl<'a> Csv<'a> {
     fn head(&self) -> Vec<String> {
         let columns = self.board.columns.iter().flat_map(|column| {
             let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
+            // Drives of two families may call different parameters the same.
+            let is_another = |other: &Column| other.slug == column.slug && other.param != column.param;
+            let slug = match self.board.columns.iter().any(is_another) {
+                true => format!("{}.{}", column.slug, column.param),
+                false => column.slug.clone(),
+            };
             // Nobody knows the decimals: the raw integer must not be taken for the value.
-            let name = format!("{}{set}{}", column.slug, if column.scaled { "" } else { ".raw" });
-            let named = column.is_word.then(|| format!("{}{set}{BITS}", column.slug));
+            let name = format!("{slug}{set}{}", if column.scaled { "" } else { ".raw" });
+            let named = column.is_word.then(|| format!("{slug}{set}{BITS}"));
             std::iter::once(name).chain(named)
         });
         let first = ["t", "n", "address", "drive", "state"].map(str::to_owned).into_iter();

@@ -17,12 +17,12 @@ pub(super) struct Recorder {
     manner: Manner,
     place: Option<Place>,
     form: Option<Box<dyn Form>>,
-    /// Something is waited for: only what lies so many seconds before it and behind it is kept.
-    window: Option<(f64, f64)>,
+    /// Something is waited for: only what lies so many microseconds before it and behind it is kept.
+    window: Option<(i64, i64)>,
     /// What came last and may have to be kept.
     past: VecDeque<Record>,
-    /// Until then everything is kept, in seconds.
-    until: Option<f64>,
+    /// Until then everything is kept, in microseconds.
+    until: Option<i64>,
 }
 
 impl Recorder {
@@ -33,7 +33,7 @@ impl Recorder {
     pub(super) fn record(&mut self, record: &Record) -> io::Result<()> {
         match record {
             Record::Start(start) => {
-                self.window = start.waits.as_ref().map(|waits| (seconds(waits.pre), seconds(waits.post)));
+                self.window = start.waits.as_ref().map(|waits| (micros(waits.pre), micros(waits.post)));
                 self.open()?;
                 self.keep(record)
             }
@@ -42,11 +42,10 @@ impl Recorder {
                 self.keep(record)
             }
             Record::Trigger(news) => {
-                let (t, (before, behind)) = (seconds(news.t), self.window.unwrap_or_default());
+                let (t, (_, behind)) = (micros(news.t), self.window.unwrap_or_default());
+                self.forget(t);
                 while let Some(earlier) = self.past.pop_front() {
-                    if time(&earlier).is_none_or(|at| at >= t - before) {
-                        self.keep(&earlier)?;
-                    }
+                    self.keep(&earlier)?;
                 }
                 self.until = Some(t + behind);
                 self.keep(record)
@@ -82,11 +81,32 @@ impl Recorder {
 
     fn remember(&mut self, record: &Record) {
         self.past.push_back(record.clone());
-        let (Some(now), Some((before, _))) = (time(record), self.window) else { return };
-        let is_old = |record: &Record| time(record).is_some_and(|t| t < now - before);
-        while self.past.front().is_some_and(is_old) {
-            self.past.pop_front();
+        if let Some(now) = time(record) {
+            self.forget(now);
         }
+    }
+
+    /// Lets go of what a trigger now would not need: the last whole round that began before its time is needed, because with it that time
+    /// is covered.
+    fn forget(&mut self, now: i64) {
+        let before = self.window.unwrap_or_default().0;
+        if before == 0 {
+            self.past.retain(|record| time(record).is_none_or(|t| t >= now));
+            return;
+        }
+        let (mut first, mut behind, mut round) = (0, 0, None);
+        for (index, record) in self.past.iter().enumerate() {
+            if time(record).is_some_and(|t| t > now - before) {
+                break;
+            }
+            if let Record::Sample(sample) = record {
+                if round.replace(sample.n) != Some(sample.n) {
+                    first = behind;
+                }
+                behind = index + 1;
+            }
+        }
+        self.past.drain(..first);
     }
 
     fn keep(&mut self, record: &Record) -> io::Result<()> {
@@ -94,16 +114,16 @@ impl Recorder {
     }
 }
 
-/// When it was, in seconds.
-fn time(record: &Record) -> Option<f64> {
+/// When it was, in microseconds.
+fn time(record: &Record) -> Option<i64> {
     match record {
-        Record::Sample(sample) => Some(seconds(sample.t)),
-        Record::Trip(trip) => Some(seconds(trip.t)),
-        Record::Lost(change) | Record::Reopened(change) => Some(seconds(change.t)),
+        Record::Sample(sample) => Some(micros(sample.t)),
+        Record::Trip(trip) => Some(micros(trip.t)),
+        Record::Lost(change) | Record::Reopened(change) => Some(micros(change.t)),
         _ => None,
     }
 }
 
-fn seconds(t: Decimal) -> f64 {
-    t.raw as f64 / 10f64.powi(t.decimals.into())
+fn micros(t: Decimal) -> i64 {
+    t.raw * 10i64.pow(6u32.saturating_sub(t.decimals.into()))
 }

@@ -8,7 +8,9 @@
 //! - a question of less than eight bytes is none;
 //! - a SYNC of a master drive acts on its own PDOs as it is sent;
 //! - behind a BUS-OFF of its own its controller begins anew 100 ms later;
-//! - a cable that is off (`silent`) stops nothing in the drive, whose time-outs go on.
+//! - a cable that is off (`silent`) stops nothing in the drive, whose time-outs go on;
+//! - what counts as a telegram of its script is a question over SDO to it, and a download is a write;
+//! - a write that its script refuses is aborted with code 15, for any other error.
 
 use super::confinement::{Ended, Errors};
 use super::process::Process;
@@ -56,6 +58,10 @@ pub(crate) struct Node {
     /// Off the bus until then, and whether it begins anew.
     away: Option<(Tick, bool)>,
     errors: Errors,
+    /// Writes to it are refused.
+    refused: Option<u16>,
+    /// Writes to it are acknowledged, and that is all.
+    ignored: Option<u16>,
 }
 
 /// Parameters of the system bus (manual 7.2), and the fault key of the basic manual.
@@ -95,6 +101,8 @@ impl Node {
             slaves: Slaves::default(),
             away: None,
             errors: Errors::default(),
+            refused: None,
+            ignored: None,
         };
         node.take_place(Tick::ZERO);
         node.fault = node.fault_key();
@@ -212,6 +220,8 @@ impl Node {
             Action::Silent(span) => self.away = Some((now + span, false)),
             Action::BusOff(span) => self.gives_up(now, span),
             Action::Set(..) => self.settle_at_once(now),
+            Action::Refuses(place) => self.refused = Some(place),
+            Action::Ignores(place) => self.ignored = Some(place),
             _ => {}
         }
     }
@@ -397,6 +407,7 @@ impl Node {
         let code = if self.readings.has(Reading::SegmentsAreWrongType) { server::TYPE } else { server::OTHER };
         let refused = |of, code: u8| Reply::Abort(of, AbortCode(code.into()));
         let nobody = Multiplexer { index: 0, sub: 0 };
+        self.script.count(matches!(request, Request::Download(..)));
         match request {
             Request::Upload(of) => {
                 let told = server::upload(&mut *self.device, self.readings, now, of);
@@ -416,6 +427,13 @@ impl Node {
     }
 
     fn download(&mut self, now: Tick, of: Multiplexer, bits: u32) -> Result<(), u8> {
+        let place = Some(u16::from(of.sub) << 12 | of.index);
+        if self.refused == place {
+            return Err(server::OTHER);
+        }
+        if self.ignored == place {
+            return Ok(());
+        }
         match server::download(&mut *self.device, self.readings, now, of, bits)? {
             Effect::Reset => self.restart(now, RESTART),
             Effect::None if of.index == NODE_ID as u16 && self.readings.has(Reading::PlaceHoldsAtOnce) => {

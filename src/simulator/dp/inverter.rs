@@ -48,6 +48,15 @@ pub(crate) struct Row {
     pub(crate) writes: bool,
     pub(crate) min: Option<i64>,
     pub(crate) max: Option<i64>,
+    /// A word of it is two's complement; the code of the ramps has negative values too (5.5 index 7).
+    is_signed: bool,
+}
+
+impl Row {
+    /// What the low word of a PWE, or a mapped word, means there.
+    pub(crate) fn raw(self, pwe: u32) -> i64 {
+        if self.is_signed { ((pwe & 0xFFFF) as u16).cast_signed().into() } else { pwe.into() }
+    }
 }
 
 /// A trip as P.300 to P.305 keep it.
@@ -93,9 +102,9 @@ pub(crate) const EXTERNAL: u8 = 0x25;
 impl Inverter {
     pub(crate) fn new(kind: Kind, family: &Family, a004_scale: i64) -> Self {
         let rows = family.params.values().filter_map(|param| {
-            let bytes = param.kind?.bytes()?;
-            let row = Row { bytes, writes: param.access.writes(), min: param.min, max: param.max };
-            Some((param.id, row))
+            let (kind, min, max) = (param.kind?, param.min, param.max);
+            let is_signed = kind.is_coded() || min.is_some_and(|min| min < 0);
+            Some((param.id, Row { bytes: kind.bytes()?, writes: param.access.writes(), min, max, is_signed }))
         });
         let rows: BTreeMap<u32, Row> = rows.collect();
         let full = FULL / 100 * a004_scale;

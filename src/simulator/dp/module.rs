@@ -294,7 +294,7 @@ impl Module {
             let before = self.words.get_mut(place).map(|own| std::mem::replace(own, *word));
             let index = self.written.get(place).copied().unwrap_or(0);
             if index != 0 && before != Some(*word) {
-                let _refused = self.write(now, index, 0, i64::from(*word), false);
+                let _refused = self.write(now, index, 0, (*word).into(), false);
             }
         }
         self.steer_words(now);

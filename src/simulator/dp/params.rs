@@ -68,10 +68,7 @@ impl Module {
             if task.is_double() {
                 return Err(refusal::TYPE);
             }
-            let word = (request.pwe & 0xFFFF) as u16;
-            let signed = row.min.is_some_and(|min| min < 0);
-            let raw = if signed { i64::from(word.cast_signed()) } else { i64::from(request.pwe) };
-            self.write(now, index, element, raw, true)?;
+            self.write(now, index, element, request.pwe, true)?;
             return Ok((if task.has_element() { 4 } else { 1 }, request.pwe));
         }
         let raw = match index {
@@ -95,8 +92,9 @@ impl Module {
     }
 
     /// Writes a value, by PKW or by a mapped word.
-    pub(crate) fn write(&mut self, now: Tick, index: u16, element: u8, raw: i64, by_pkw: bool) -> Result<(), u32> {
+    pub(crate) fn write(&mut self, now: Tick, index: u16, element: u8, pwe: u32, by_pkw: bool) -> Result<(), u32> {
         let row = self.inverter.row(index.into()).ok_or(refusal::NUMBER)?;
+        let raw = row.raw(pwe);
         if !row.writes {
             return Err(refusal::READ_ONLY);
         }
@@ -108,7 +106,7 @@ impl Module {
         let place = usize::from(element).checked_sub(1);
         let cell = |map: &mut [u16; 8]| {
             let cell = place.and_then(|place| map.get_mut(place)).ok_or(refusal::SUB_INDEX)?;
-            *cell = (raw & 0xFFFF) as u16;
+            *cell = (pwe & 0xFFFF) as u16;
             Ok(())
         };
         match index {

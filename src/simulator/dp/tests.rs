@@ -305,6 +305,19 @@ fn a_mapped_word_is_written_and_shown() {
 }
 
 #[test]
+fn a_ramp_that_is_written_is_the_ramp_of_the_motor() {
+    let mut hand = profidrive(&[]);
+    // 0.50 s and 5.00 s in the code of the ramps (5.5 index 7): -50 and -500.
+    for (code, second) in [(0xFFCE_u32, 5_000), (0xFE0C, 1_000)] {
+        assert_eq!(hand.write(7, code), (1, code));
+        hand.words(&[0x0406, 0]);
+        hand.words_for(&[0x047F, 0x4000], Span::from_secs(1));
+        assert!((second - 100..=second + 100).contains(&hand.shaft()), "{code:04X}: {}", hand.shaft());
+        hand.words_for(&[0x047E, 0x4000], Span::from_secs(30));
+    }
+}
+
+#[test]
 fn what_does_not_fit_is_refused() {
     let mut hand = Hand::on(Kind::L200, &[]);
     hand.parameterise(0x80, IDENT + 1, &[]);

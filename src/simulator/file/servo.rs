@@ -21,6 +21,8 @@ const REPLY_DELAY: Span = Span::from_millis(3);
 const CLASS: u8 = 3;
 /// Most user units that a position wavers by.
 const MOST_WAVER: i64 = 1_000_000;
+/// Fastest setpoint from elsewhere, 1/min.
+const MOST_ANALOG: i64 = 100_000;
 /// Longest text of an object of code 43.
 const MOST_TEXT: usize = 60;
 
@@ -94,6 +96,7 @@ impl BenchFile<'_> {
         world.limp = servo.limp.unwrap_or(world.limp);
         world.limits = servo.limits.unwrap_or(world.limits);
         world.guide = servo.guide.unwrap_or(world.guide);
+        world.analog = servo.analog.map_or(world.analog, |speed| speed.clamp(-MOST_ANALOG, MOST_ANALOG));
         world.waver = servo.waver.map_or(world.waver, |units| units.clamp(0, MOST_WAVER));
         if let Some(bit6) = &servo.bit6 {
             world.bit6_absolute = self.word("bit6", bit6, &[("relative", false), ("absolute", true)])?;

@@ -98,6 +98,7 @@ pub(crate) struct ServoTable {
     pub(crate) limp: Option<i64>,
     pub(crate) limits: Option<bool>,
     pub(crate) guide: Option<i64>,
+    pub(crate) analog: Option<i64>,
     pub(crate) waver: Option<i64>,
     pub(crate) bit6: Option<Spanned<String>>,
     pub(crate) vendor: Option<Spanned<String>>,

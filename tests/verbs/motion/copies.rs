@@ -10,9 +10,13 @@ fn twice(address: u8, by: u32) -> String {
 
 const JITTER: &str = "jitter = \"12ms\"";
 
-/// How long the whole took, in ms.
-fn took(err: &str) -> f64 {
+/// What one drive that is alone at the line may take, in ms: 12 s behind its word, 6 s for a stronger one, and 1.5 s for what is reported.
+const ALONE: f64 = 19_500.0;
+
+/// When something came or went last, or went to who is meant, in ms.
+fn last(err: &str, goes: &str) -> f64 {
     let lines = err.lines().rev().filter_map(|line| line.split_once(" ms "));
+    let lines = lines.filter(|(_, telegram)| telegram.starts_with(goes));
     lines.filter_map(|(at, _)| at.trim().parse().ok()).next().unwrap_or_default()
 }
 
@@ -31,9 +35,10 @@ fn who_says_things_twice_costs_no_other_one_his_proof() {
                     assert!(address == "8" || seen == (Some(true), None), "{address} {told}");
                     assert!(address != "8" || seen.0 != Some(false), "{told}");
                 }
-                // Each value of the one that says things twice is asked for again behind a fence, and it has the turns of the others added to its
-                // own 12 s: 7.6 to 20.9 s were seen, of which it ran for a second before. The help promises 20 s of one drive.
-                assert!(took(&run.err) < 21_000.0, "{told}");
+                // Each value of the one that says things twice is asked for again behind a fence, so it may take all the time that it has. The
+                // turns of the others are added to that: it is over so long after them. The help promises 20 s for each.
+                let others = last(&run.err, "> 01").max(last(&run.err, "> 02"));
+                assert!(last(&run.err, "") < others + ALONE, "{others} {told}");
             }
         }
     }

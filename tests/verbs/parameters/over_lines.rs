@@ -112,6 +112,7 @@ fn what_stays_on_one_line_says_what_to_do_instead() {
         ("diag --clear", "-p"),
         ("line set --baud 9600", "-p"),
         ("report {dir}/r.html", "-p"),
+        ("monitor --count 1", "a watch is of one line"),
     ] {
         let run = plant(&format!("-v -a @ones {verb} --yes"), [TWO, TWO, ONE]).exits(2);
         assert!(run.err.contains(hint) && run.sent().is_empty(), "{verb}: {}", run.err);

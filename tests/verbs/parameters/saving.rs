@@ -146,6 +146,20 @@ fn only_what_was_changed_is_saved_if_that_is_asked_for() {
     assert!(!run.sent().iter().any(|telegram| telegram.starts_with("01 03 01 74")), "P.372");
 }
 
+/// What was saved of it goes into a drive with factory settings, and it is the same.
+#[test]
+fn a_file_of_changes_is_replayed() {
+    let changed = cube("\"480@3\" = 7.25, \"419\" = 60");
+    let saved = antrieb("-a 1 dataset save --changed {dir}/pump.toml").on(&changed).exits(0);
+    let text = saved.text_of("pump.toml");
+    let loaded = antrieb("-a 1 --yes dataset load {dir}/pump.toml").on(&cube("")).file("pump.toml", &text).exits(0);
+    let rows = loaded.out.lines().filter(|line| line.contains("verified"));
+    // What the drive speaks (P.395) is a setting of a bus.
+    assert_eq!((rows.count(), values(&text).len()), (2, 3), "{}", loaded.out);
+    let again = antrieb("-a 1 --yes dataset load {dir}/pump.toml").on(&changed).file("pump.toml", &text).exits(0);
+    assert!(!again.out.contains("verified"), "{}", again.out);
+}
+
 #[test]
 fn a_discovery_finds_what_no_catalogue_knows() {
     // To a program that knows only the ACT, what the resolver module brings is unknown.
@@ -292,6 +306,15 @@ fn what_was_saved_is_told_as_json_and_csv_too() {
     assert_eq!((&value["raw"], &value["unit"], &value["store"]), (&1450.into(), &"1/min".into(), &"eeprom".into()));
     let csv = antrieb("-a 1 --format csv dataset save {dir}/x.toml").on(&on).exits(0).out;
     assert_eq!(csv.lines().count(), values.len() + 1);
+    let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| head.iter().position(|own| *own == name).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let told = |number: &str, set: &str| {
+        let row = rows.iter().find(|row| row[column("param")] == number && row[column("data_set")] == set).unwrap();
+        ["raw", "value", "unit", "store"].map(|name| row[column(name)])
+    };
+    assert_eq!(told("372", "2"), ["1450", "1450", "1/min", "eeprom"]);
+    assert_eq!(told("480", "0")[..3], ["500", "5.0", "Hz"]);
     let planned = antrieb("-a 1 dataset save --dry-run {dir}/x.toml").on(&on).json().exits(0);
     assert_eq!(planned.data("/telegrams").as_array().unwrap().len(), 166);
 }

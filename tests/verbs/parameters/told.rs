@@ -135,6 +135,23 @@ fn what_is_wrong_with_a_line_comes_with_what_would_be_right() {
         }
     }
     on_file("-a 1 dataset load {dir}/f.toml --yes", &file("480 = \"12,5\"")).exits(0);
+    // What is right TOML and none of a file is no matter of quotes.
+    let whole = file("480 = 5");
+    for (text, told) in [
+        (whole.replace("antrieb = 1\n", "antrieb = 1\nfoo = 1\n"), "stand below `[values]`"),
+        (whole.replace("[drive]\nfamily = \"act\"\n", ""), "below `[drive]` its `family"),
+        (whole.replace("family = \"act\"\n", ""), "below `[drive]` its `family"),
+        (whole.replace("\"act\"", "1"), "writes a file as it has to be"),
+    ] {
+        for lang in ["en", "de"] {
+            let ended = on_file(&format!("--lang {lang} -a 1 dataset load {{dir}}/f.toml --yes"), &text).exits(7);
+            assert!(
+                !ended.err.contains("quotes:") && (lang == "de" || ended.err.contains(told)),
+                "{text}: {}",
+                ended.err
+            );
+        }
+    }
 }
 
 #[test]
@@ -239,6 +256,25 @@ fn of_drives_that_nobody_could_look_at_nobody_says_how_they_are() {
         let run = antrieb(&format!("--lang {lang} apply --yes")).file("antrieb.toml", config);
         let ended = run.file("f.toml", &file("372 = 1440")).exits(3).err;
         assert!(ended.contains(told), "{ended}");
+    }
+}
+
+/// A slave of PROFIBUS beside a drive on a line is reached, by what speaks that; files are not.
+#[test]
+fn why_no_file_goes_into_a_slave_of_profibus_is_told_as_it_is() {
+    let config = "[drives.inverter]\nport = \"sim\"\nprotocol = \"dp\"\naddress = 3\nfiles = [\"i.toml\"]\n\
+                  [drives.pump]\nport = \"{dir}/b.toml\"\naddress = 1\nfiles = [\"p.toml\"]\n";
+    let files = [("i.toml", "F002 = 5", "sj200"), ("p.toml", "480 = 5", "act")];
+    for (verb, lang) in [("plan", "en"), ("apply --yes", "en"), ("check", "en"), ("plan", "de")] {
+        let mut run = antrieb(&format!("--lang {lang} -a all {verb}"));
+        for (name, values, family) in files {
+            run = run.file(name, &file(values).replace("act", family));
+        }
+        let bench = run.directory().join("b.toml").display().to_string();
+        let run = run.file("b.toml", "[[drive]]\nmodel = \"act\"\naddress = 1\n");
+        let ended = run.file("antrieb.toml", &config.replace("{dir}/b.toml", &format!("sim:{bench}"))).exits(9);
+        let told = if lang == "en" { "do not go over PROFIBUS-DP" } else { "gehen noch nicht über PROFIBUS-DP" };
+        assert!(ended.err.contains(told) && !ended.err.contains("alone"), "{verb}: {}", ended.err);
     }
 }
 

@@ -3,7 +3,8 @@
 use super::super::look::role_raw;
 use super::super::relief::unanswered;
 use super::{
-    BRIEF, PAUSE, SHORT, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed, unless_interrupted,
+    BRIEF, PAUSE, SHORT, SHOUTING, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed,
+    unless_interrupted,
 };
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
@@ -29,7 +30,16 @@ pub async fn shout_zero(
     meant: &Meant,
     modes: &dyn Fn(&Family) -> Vec<Mode>,
 ) -> Result<bool, AccessError> {
-    at_once(session, async |session: &mut Session<'_>| say_zero(session, registry, meant, modes).await).await
+    let (tried, mut again) = (session.now(), true);
+    loop {
+        let say = async |session: &mut Session<'_>| say_zero(session, registry, meant, modes).await;
+        match at_once(session, say).await {
+            Err(error) if error.is_stuck() && session.now().since(tried) < SHOUTING => {}
+            // A gateway that has closed its connection may take another one.
+            Err(error) if error.is_lost() && std::mem::take(&mut again) && session.reopen().await.is_ok() => {}
+            said => return said,
+        }
+    }
 }
 
 async fn say_zero(
@@ -152,7 +162,9 @@ async fn repeat(
     let (limits, patient) = (session.limits(), session.patient());
     session.warns(unanswered());
     let (mut refused, mut interrupted) = (false, false);
-    for round in 0..TIMES {
+    let (begun, mut round) = (session.now(), 0);
+    while round < TIMES {
+        let mut is_stuck = false;
         let waits = if slow || round == 1 { patient.reply_timeout } else { SHORT };
         session.set_limits(Limits { reply_timeout: waits, ..limits });
         for words in &mut wholes {
@@ -163,7 +175,8 @@ async fn repeat(
                 match answer {
                     Ok(Answer::Reply { said, .. }) if no(&said).is_none() => continue,
                     Ok(Answer::Reply { .. }) => refused = true,
-                    Err(error) if error.is_fatal() && !error.is_stuck() => return Err(error),
+                    Err(error) if error.is_stuck() => is_stuck = true,
+                    Err(error) if error.is_fatal() => return Err(error),
                     _ => {}
                 }
                 words.push(word);
@@ -173,9 +186,11 @@ async fn repeat(
             }
         }
         // What met something else on the line is said once more.
-        if interrupted && round > 0 {
+        if interrupted && (round > 0 || is_stuck) {
             return Err(AccessError::Interrupted);
         }
+        // A port that takes no bytes has not said it.
+        round += u8::from(!is_stuck || session.now().since(begun) >= SHOUTING);
     }
     Ok(refused)
 }

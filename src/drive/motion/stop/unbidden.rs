@@ -1,10 +1,11 @@
-//! Stops that came about in another way than they were given: the drive lost its power, or its mode, meanwhile, or sooner than its
-//! shaft was seen to stand.
+//! Stops that came about in another way than they were given: the drive lost its power, its mode or its setpoint meanwhile, or its power
+//! sooner than its shaft was seen to stand.
 
 use super::super::Motor;
+use super::super::before::elsewhere;
 use super::super::own::shown;
 use crate::outcome::State;
-use crate::profile::StopRow;
+use crate::profile::{Mode, StopRow};
 use crate::text::{Text, both};
 
 /// States from which a drive comes up again: no ramp ends there.
@@ -24,6 +25,20 @@ impl Motor<'_, '_> {
              the ramp, and the shaft may have coasted before",
             "der Antrieb hatte seine Betriebsart verloren ({label} = {told}), wie nach einem Neustart: gesendet wurde ein \
              Schnellhalt statt der Rampe, und die Welle lief vorher vielleicht aus"
+        ))
+    }
+
+    /// That the setpoint of the mode that the drive shows does not count, because it takes another one from elsewhere: a 0 would stop
+    /// nothing. Asked once; what is not told keeps no stop back.
+    pub(super) async fn follows_another(&mut self, mode: &Mode) -> Option<Text> {
+        let retries = self.session.set_retries(0);
+        let other = elsewhere(self.session, self.target, mode).await;
+        self.session.set_retries(retries);
+        let (param, now) = other.ok().flatten()?;
+        Some(both!(
+            "{label} is {now}, so that a setpoint of 0 stops nothing: a quick stop was sent in place of the ramp",
+            "{label} ist {now}, ein Sollwert 0 hält also nichts an: gesendet wurde ein Schnellhalt statt der Rampe",
+            label = param.label()
         ))
     }
 

@@ -13,6 +13,8 @@
 //!   stands), numbered as CiA 402 does; 17 is the one that the manual prints;
 //! - the sources of current, speed and gear (CURreference …), the jog and every movement end when "operation enabled" or
 //!   the mode is left; the setpoints stay;
+//! - CURreference and SPEEDreference: 2 is the parameter (manual 5.5.1, 5.5.2), 0 is none, and any other number stands for a setpoint
+//!   that comes from elsewhere, as the bench file says;
 //! - in current control 0.01 A turns the unloaded shaft at 1 1/min, speeding up as the ramps allow;
 //! - a gear factor holds from the write of its numerator on; one increment of the guide signal is one user unit; the
 //!   signal is there if IOposInterfac is 1, the setting of the worked sequence;
@@ -79,6 +81,8 @@ pub(crate) struct World {
     pub(crate) limits: bool,
     /// Increments per second at the position interface.
     pub(crate) guide: i64,
+    /// What every source of the set speed or current but the parameter asks for, 1/min.
+    pub(crate) analog: i64,
     /// A position that is read wavers by so many user units to either side.
     pub(crate) waver: i64,
     /// Bit 6 of the control word set means absolute, as manual 5.4.1 words its example.
@@ -278,7 +282,11 @@ impl Modes {
 
     /// The speed that a mode asks for, 0.001 1/min.
     fn goal(&self, values: &Values, mode: Mode) -> i64 {
-        let chosen = |source, setpoint| if values.get(source) == 2 { values.get(setpoint) * PER_RPM } else { 0 };
+        let chosen = |source, setpoint| match values.get(source) {
+            2 => values.get(setpoint) * PER_RPM,
+            0 => 0,
+            _ => self.world.analog * PER_RPM,
+        };
         let speed = match mode {
             Mode::Velocity => values.get(params::VELOCITY) * PER_RPM,
             Mode::Current => chosen(params::CURRENT_SOURCE, params::CURRENT),

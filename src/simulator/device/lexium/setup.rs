@@ -37,6 +37,7 @@ impl Default for Setup {
             limp: turns,
             limits: false,
             guide: 0,
+            analog: 0,
             waver: 0,
             bit6_absolute: false,
             dragged: false,

@@ -1,0 +1,128 @@
+//! What another master does to a servo that runs: it chooses another source of the setpoint, another mode, another limit or ratio.
+
+use super::events::left;
+use super::rig::servo;
+use crate::run::antrieb;
+use serde_json::json;
+
+const KEYS: &str = "IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000, RAMPn_max = 3000";
+const WORLD: &str = "servo = { guide = 163840, analog = 900 }\n\
+                     readings = { references_after_mode = \"kept\", references_after_run = \"kept\" }\n";
+const ENABLE: &str = "01 10 1B 02 00 02 04 00 00 00 0F";
+const QUICK_STOP: &str = "01 10 1B 02 00 02 04 00 00 00 02";
+const START: &str = "01 10 1B 02 00 02 04 00 00 00 1F";
+
+fn bench(event: &str) -> String {
+    servo(KEYS, &format!("{WORLD}{event}"))
+}
+
+fn at_time(second: u32, set: &str) -> String {
+    format!("[[drive.event]]\nat = \"{second}s\"\nset = {{ {set} }}\n")
+}
+
+/// Telegrams that went out, with the time of each in ms.
+fn sent(err: &str) -> Vec<(f64, String)> {
+    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
+    lines.filter_map(|(at, hex)| Some((at.trim().parse().ok()?, hex.trim().to_owned()))).collect()
+}
+
+fn when(err: &str, word: &str) -> f64 {
+    let found = sent(err).into_iter().find(|(_, hex)| hex.starts_with(word));
+    found.unwrap_or_else(|| panic!("{word}: {err}")).0
+}
+
+#[test]
+fn what_makes_the_setpoint_of_a_servo_count_is_looked_at_in_its_run() {
+    for (typed, set, label) in [
+        ("300rpm --mode speed", "SPEEDreference = 1", "SPEEDreference"),
+        ("10A", "CURreference = 1", "CURreference"),
+        ("2/3", "GEARreference = 2", "GEARreference"),
+        ("2/3", "GEARnum = 9", "GEARnum"),
+        ("2/3", "GEARdenom = 1", "GEARdenom"),
+        ("300rpm", "RAMPn_max = 100", "RAMPn_max"),
+    ] {
+        let line = format!("-v -a 1 --yes sollwert {typed} --enable --hold --duration 8s");
+        antrieb(&line).on(&bench("")).exits(0);
+        let run = antrieb(&line).on(&bench(&at_time(3, set))).json();
+        let told = format!("{typed} {set}: {:#} {}", run.value, run.err);
+        assert_eq!((run.exit, &run.error()["code"]), (8, &json!("forbidden.otherwise")), "{told}");
+        assert!(run.error()["message"].as_str().unwrap().contains(label), "{told}");
+        assert_eq!((left(), run.data("/stop/acknowledged")), ((0, 0), &json!(true)), "{told}");
+        // It is looked at every second; a ramp that stops nothing is not tried before.
+        let last = sent(&run.err).last().map_or(0.0, |(at, _)| *at);
+        assert!(last < 5_500.0, "{told}");
+        if set.contains("reference = 1") {
+            assert!((3_000.0..4_300.0).contains(&when(&run.err, QUICK_STOP)), "{told}");
+        }
+    }
+}
+
+/// The same where nobody asks for the standstill but the end of the run.
+#[test]
+fn a_source_that_another_master_chooses_in_the_last_second_makes_the_ramp_a_quick_stop() {
+    let line = "-v -a 1 --yes sollwert 300rpm --mode speed --enable --hold --duration 2s";
+    let calm = antrieb(line).on(&bench("")).exits(0);
+    let zero = when(&calm.err, "01 10 21 08 00 02 04 00 00 01 2C") + 2_000.0;
+    for before in [30.0, 150.0, 400.0] {
+        let at = format!("[[drive.event]]\nat = \"{}ms\"\nset = {{ SPEEDreference = 1 }}\n", (zero - before) as u64);
+        let run = antrieb(line).on(&bench(&at)).json();
+        let told = format!("{before}: {:#} {}", run.value, run.err);
+        assert_eq!((run.exit, left()), (8, (0, 0)), "{told}");
+        assert!(run.err.contains("SPEEDreference"), "{told}");
+        assert!(when(&run.err, QUICK_STOP) < zero + 500.0, "{told}");
+    }
+}
+
+/// Whenever it comes, in an enabling too, it is stopped at once: no ramp of a setpoint that counts no more, and no mode that never comes,
+/// is waited for.
+#[test]
+fn a_mode_that_another_master_chooses_is_stopped_at_once_whenever_it_comes() {
+    for typed in ["300rpm", "300rpm --mode speed"] {
+        let line = format!("-v -a 1 --yes sollwert {typed} --enable --hold --duration 6s");
+        let calm = sent(&antrieb(&line).on(&bench("")).exits(0).err);
+        let enabled = calm.iter().position(|(_, hex)| hex.starts_with(ENABLE)).unwrap() + 1;
+        let late = calm.iter().position(|(at, _)| *at > calm[enabled].0 + 4_000.0).unwrap();
+        for set in ["DCOMopmode = -2, GEARreference = 1", "DCOMopmode = -4, SPEEDreference = 1", "DCOMopmode = 3"] {
+            if typed.contains("speed") == set.contains("-4") && (typed.contains("speed") || set.contains("= 3")) {
+                continue;
+            }
+            for after in (enabled..enabled + 24).chain([late - 15, late]) {
+                let event = format!("[[drive.event]]\nafter_telegrams = {after}\nset = {{ {set} }}\n");
+                let run = antrieb(&line).on(&bench(&event)).json();
+                let told = format!("{typed} {set} {after}: {:#} {}", run.value, run.err);
+                assert_eq!(left(), (0, 0), "{told}");
+                // What we select behind it counts, and that is what was agreed to.
+                assert!(run.exit == 8 || (run.exit == 0 && after < enabled + 8), "{told}");
+                if run.exit == 0 {
+                    continue;
+                }
+                assert_eq!(run.error()["code"], "forbidden.otherwise", "{told}");
+                let sent = sent(&run.err);
+                let (came, over) = (sent[after - 1].0, sent.last().map_or(0.0, |(at, _)| *at));
+                assert!(over - came < 2_600.0, "{came} {over} {told}");
+            }
+        }
+    }
+}
+
+/// The time of a run is that of its movement too.
+#[test]
+fn a_movement_to_a_target_ends_with_its_run() {
+    let run = |value: &str, rest: &str| {
+        let line = format!("-v -a 1 --yes sollwert {value} --set PPn_target=300 --enable --hold --duration 2s {rest}");
+        antrieb(&line).on(&bench("")).json()
+    };
+    for (value, whole) in [("9000000usr", false), ("8000usr", true)] {
+        let ended = run(value, "").exits(0);
+        let told = format!("{value}: {:#} {}", ended.value, ended.err);
+        let took = when(&ended.err, QUICK_STOP) - when(&ended.err, START);
+        assert!((1_900.0..2_300.0).contains(&took), "{took} {told}");
+        assert_eq!((left(), ended.data("/stop/acknowledged")), ((0, 0), &json!(true)), "{told}");
+        assert_eq!(ended.data("/setpoint/reached"), &json!(whole), "{told}");
+        assert_eq!(ended.data("/notes").to_string().contains("not at its end"), !whole, "{told}");
+    }
+    // Who waits for it has the time of the run behind it.
+    let ended = run("30000usr", "--until reached").exits(0);
+    let took = when(&ended.err, QUICK_STOP) - when(&ended.err, START);
+    assert!(took > 2_300.0 && ended.data("/setpoint/reached") == &json!(true), "{took} {}", ended.err);
+}
