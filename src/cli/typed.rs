@@ -55,11 +55,23 @@ impl What {
             let can: Vec<_> = VERBS.iter().filter(|verb| speaks(verb)).map(|verb| verb.name).collect();
             let can = can.join(", ");
             let message = both!("`{name}` does not speak {what} yet", "`{name}` spricht noch kein {what}");
-            Failure::new(Class::Usage, code, message)
-                .hint(both!("what understands it: {can}", "was es versteht: {can}"))
+            let unwatched = both!(
+                "no watchdog of a drive watches SDO (P.413 is that of its serial plug), so a shaft would go on behind a broken bus: command it \
+                 over the serial plug; what speaks SDO: {can}",
+                "kein Watchdog eines Umrichters überwacht SDO (P.413 ist der des seriellen Anschlusses), eine Welle liefe hinter einem \
+                 gestörten Bus also weiter: über den seriellen Anschluss befehlen; SDO spricht: {can}"
+            );
+            let hint = match settings.is_can() && MOVES.contains(&name) {
+                true => unwatched,
+                false => both!("what understands it: {can}", "was es versteht: {can}"),
+            };
+            Failure::new(Class::Usage, code, message).hint(hint)
         })
     }
 }
+
+/// Verbs that move a shaft by the control word.
+const MOVES: [&str; 2] = ["statemachine", "sollwert"];
 
 impl Subcommand for What {
     fn augment_subcommands(root: clap::Command) -> clap::Command {
