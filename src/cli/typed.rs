@@ -56,7 +56,7 @@ impl What {
             let can: Vec<_> = VERBS.iter().filter(|verb| speaks(verb)).map(|verb| verb.name).collect();
             let can = can.join(", ");
             let message = both!("`{name}` does not speak {what} yet", "`{name}` spricht noch kein {what}");
-            let instead = INSTEAD.into_iter().find(|(verb, of, _)| (*verb, *of) == (name, code));
+            let instead = INSTEAD.into_iter().find(|(verbs, of, _)| verbs.contains(&name) && *of == code);
             let hint = instead.map_or_else(
                 || both!("what understands it: {can}", "was es versteht: {can}"),
                 |(_, _, instead)| instead,
@@ -66,15 +66,28 @@ impl What {
     }
 }
 
-/// What does the same where a verb does not speak something.
-const INSTEAD: [(&str, &str, Text); 1] = [(
-    "sniff",
-    "usage.sdo",
-    Text::new(
-        "`antrieb systembus monitor` shows what goes over a CAN bus",
-        "`antrieb systembus monitor` zeigt, was über einen CAN-Bus geht",
+/// What there is to do where a verb does not speak something.
+const INSTEAD: [(&[&str], &str, Text); 2] = [
+    (
+        &["sniff"],
+        "usage.sdo",
+        Text::new(
+            "`antrieb systembus monitor` shows what goes over a CAN bus",
+            "`antrieb systembus monitor` zeigt, was über einen CAN-Bus geht",
+        ),
     ),
-)];
+    // They move a shaft by the control word.
+    (
+        &["statemachine", "sollwert"],
+        "usage.sdo",
+        Text::new(
+            "no watchdog of a drive watches SDO (P.413 is that of its serial plug), so a shaft would go on behind a broken bus: command it over \
+             the serial plug",
+            "kein Watchdog eines Umrichters überwacht SDO (P.413 ist der des seriellen Anschlusses), eine Welle liefe hinter einem gestörten \
+             Bus also weiter: über den seriellen Anschluss befehlen",
+        ),
+    ),
+];
 
 impl Subcommand for What {
     fn augment_subcommands(root: clap::Command) -> clap::Command {

@@ -168,7 +168,7 @@ impl Again {
             let mut values = self.given.iter().filter(|given| given.id == id).flat_map(|given| &given.values);
             values.any(|value| starts.iter().any(|start| value.starts_with(start)))
         };
-        is("protocol", &["sdo", "dp"]) || is("port", &["slcan:"])
+        is("protocol", &["sdo", "dp"]) || is("port", &["slcan:", "can:"])
     }
 
     /// What of this run belongs to a command, and does not stand there.
@@ -338,6 +338,16 @@ mod tests {
             let told = again("antrieb -b 9600 --parity odd --timeout 1s read 1").hinted(failure).hint.unwrap();
             let read = "`antrieb -b 9600 --parity odd --timeout 1s read 1`";
             assert_eq!(told.get(Lang::En), format!("`antrieb {scan}`, {read}"));
+        }
+    }
+
+    /// The rate of a bus is not found out.
+    #[test]
+    fn behind_silence_on_a_bus_its_rate_stays() {
+        for port in ["slcan:/dev/ttyACM0", "can:can0"] {
+            let failure = Failure::new(Class::Silence, "f", Text::name("")).hint(Text::name("`antrieb scan`"));
+            let told = again(&format!("antrieb -p {port} -b 500000 read 1")).hinted(failure).hint.unwrap();
+            assert_eq!(told.get(Lang::En), format!("`antrieb -p {port} -b 500000 scan`"));
         }
     }
 

@@ -11,16 +11,19 @@ use crate::drive::{
 };
 use crate::failure::{Class, Failure};
 use crate::gate::{Counters, Hazard, Permit, Question};
-use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, OrLines, Outcome, Value, Word};
+use crate::outcome::{
+    BusDiagnosis, Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, OrLines, Outcome, Value, Word,
+};
 use crate::profile::{Cause, DataSets, Family, Registry};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
 /// Diagnoses a drive and the line to it.
 ///
-/// Shows the state, the active fault with cause and remedy, every warning bit, the entry of the fault memory, why the
+/// Shows the state, the active fault with cause and remedy, every warning bit, the digital inputs bit by bit, the entry of the fault memory, why the
 /// drive refused something last (P.11, which reading clears, or the last synchronous error), its watchdog, and its
-/// diagnostic counters with what each means.
+/// diagnostic counters with what each means. Over the system bus it shows the state of node and controller too (P.978, P.979), and the
+/// emergencies that were heard meanwhile.
 ///
 /// Over PROFIBUS (--protocol dp) a slave is taken for it, held by the stop word, and let go: Slave_Diag, the trip and its data, what
 /// a lost master means (P.703, P.620), and what its LEDs show. Nothing is written.
@@ -130,6 +133,9 @@ async fn over_profibus(args: &Args, context: &mut Context<'_>) -> Result<Outcome
     Ok(Outcome { data: Some(Data::Diag(Diag { drives })), warnings, failure })
 }
 
+/// State of a node and of its controller (EM-RES-03 manual 5.12).
+const BUS_STATES: [&str; 2] = ["node-state", "can-state"];
+
 /// Whether nobody can say if the drive has a fault.
 fn untold(drive: &Diagnosis) -> bool {
     drive.fault_code.is_none()
@@ -181,7 +187,7 @@ pub(super) fn looks(family: &Family) -> Vec<Inquiry> {
     if let Cause::Diagnostics(sub) = family.link.cause {
         questions.push(Inquiry::Counter(sub));
     }
-    questions.extend(role_questions(family, &["status-word", "fault", "warnings", "watchdog"]));
+    questions.extend(role_questions(family, &["status-word", "fault", "warnings", "digital-inputs", "watchdog"]));
     let memory = family.group("faults").unwrap_or_default();
     questions.extend(memory.iter().filter_map(|&id| family.param(id)).map(|param| super::read_question(param, 0)));
     questions.extend(family.counters.iter().map(|row| Inquiry::Counter(row.sub)));
@@ -213,6 +219,8 @@ fn blank(address: u8) -> Diagnosis {
         fault: None,
         fault_code: None,
         warnings: None,
+        inputs: None,
+        bus: None,
         missing: Vec::new(),
         memory: Vec::new(),
         watchdog: None,
@@ -298,6 +306,7 @@ pub(super) async fn look(session: &mut Session<'_>, target: &mut Target) -> Resu
         None => reader.vital_role("fault").await?.and_then(|value| value.raw),
     };
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
+    let inputs = reader.role("digital-inputs").await?.and_then(|value| value.word);
     let watchdog = reader.in_force("watchdog").await?.value;
     let (failures, good) = reader.into_failures();
     let code = present_fault(&family, status.as_ref(), fault);
@@ -319,6 +328,8 @@ pub(super) async fn look(session: &mut Session<'_>, target: &mut Target) -> Resu
         fault_code: code.map(i64::from),
         fault: code.and_then(|code| describe::fault(&family, code)),
         warnings,
+        inputs,
+        bus: on_bus(session, target).await?,
         missing,
         memory,
         watchdog,
@@ -326,6 +337,27 @@ pub(super) async fn look(session: &mut Session<'_>, target: &mut Target) -> Resu
         ..blank(address)
     };
     Ok((report, failures, good))
+}
+
+/// What a system bus tells of a drive that is asked over it.
+async fn on_bus(session: &mut Session<'_>, target: &mut Target) -> Result<Option<BusDiagnosis>, Failure> {
+    let (family, node) = (target.family.clone(), session.node());
+    if node == 0 && !session.line().is_can() {
+        return Ok(None);
+    }
+    let heard = if node == 0 { session.emergencies(target.address) } else { Vec::new() };
+    let told = |fault: u16| match describe::fault(&family, fault.into()) {
+        Some(fault) => fault.told(),
+        None => both!("acknowledged", "quittiert"),
+    };
+    let emergencies = heard.into_iter().map(told).collect();
+    let mut reader = Reader::new(session, target);
+    reader.lenient = true;
+    let mut values = Vec::new();
+    for param in family.params.values().filter(|param| BUS_STATES.contains(&param.slug.as_str())) {
+        values.extend(reader.rows(param, DataSets::Unnamed).await?);
+    }
+    Ok(Some(BusDiagnosis { values, emergencies }))
 }
 
 /// What its counters, and a test of the line to it, tell: what failed of that and hinders nothing else.

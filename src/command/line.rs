@@ -24,7 +24,8 @@ use clap::{Arg, Args as ClapArgs, Subcommand};
 ///
 /// ACTIVE: a new address holds at once; speed (P.10) and parity (P.1375) hold after a restart (P.34 = 123), which is done
 /// too. LXM05: speed and format hold when it is switched on the next time; for the address its manual does not say, so it
-/// is looked for at both. On a CAN bus (--protocol sdo) only the node (P.900) is changed so, and looked for at both too.
+/// is looked for at both. On a CAN bus (--protocol sdo) node (P.900) and bit rate (P.903, in bit/s) are changed so, and looked for at both too;
+/// the rate only where nobody else is on the bus.
 /// After every step the drive has to answer at its new place. If it does not, but still answers at the old one,
 /// everything is put back. The way back is printed.
 #[derive(Clone, Debug, ClapArgs)]
@@ -35,14 +36,14 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
-    /// Speed, parity and addresses as they are stored in the drive
+    /// Speed, parity and addresses as they are stored in the drive; on a CAN bus node, bit rate and channels
     Show,
     /// Brings the drive to another speed, parity or address
     #[command(arg = present("baud", "now-baud"), arg = present("parity", "now-parity"), arg = present("address", "now-address"))]
     Set {
         /// New speed in baud
         ///
-        /// ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400
+        /// ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400; CAN: 50000 to 1000000
         #[arg(id = "new_baud", short = 'b', long = "baud", value_name = "BAUD")]
         baud: Option<u32>,
         /// New parity of Modbus: even, odd, none
@@ -106,11 +107,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 
 /// The settings of the line as they are stored in every drive that was named.
 pub(super) async fn show(context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    read::run(
-        &read::Args { params: vec!["@line".to_owned()], kind: None, decimals: None, slave: SlaveArgs::default() },
-        context,
-    )
-    .await
+    // On a bus that is the place on it, not the line at its serial plug (EM-RES-03 manual 5.4, 5.5, 5.9.4).
+    let what: &[&str] = if context.settings.is_can() { &["900", "903", "921-923"] } else { &["@line"] };
+    let params = what.iter().map(|word| (*word).to_owned()).collect();
+    read::run(&read::Args { params, kind: None, decimals: None, slave: SlaveArgs::default() }, context).await
 }
 
 /// Moves one drive to what is wished for.
@@ -134,7 +134,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         Some(name) => vec![super::named_family(context.settings, context.registry, name)?],
         None => context.registry.families().filter(|family| family.link.is_asked_on_a_line()).collect(),
     };
-    wish.check(&families)?;
+    wish.check(&families, context.settings.protocol)?;
     if context.settings.dry_run {
         let family = offline_family(context.settings, context.registry)?;
         let orders = relocate::orders(&wish, context.settings.protocol, &family);

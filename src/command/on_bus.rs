@@ -1,7 +1,7 @@
 //! What is otherwise where the line is a CAN bus.
 
 use crate::args::Settings;
-use crate::drive::PLACE_ON_BUS;
+use crate::drive::cut_by;
 use crate::drive::job::{self, Step};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
@@ -29,8 +29,8 @@ pub(super) fn check(settings: &Settings, steps: &[Step]) -> Result<(), Failure> 
     if !settings.is_can() {
         return Ok(());
     }
-    if let Some(step) = steps.iter().find(|step| PLACE_ON_BUS.contains(&step.param.id)) {
-        return Err(own_line(&step.param.label()).with("param", step.param.id));
+    if let Some(step) = steps.iter().find(|step| cut_by(settings.protocol, 0).contains(&step.param.id)) {
+        return Err(own_line(step.param.id, &step.param.label()));
     }
     match steps.iter().find(|step| step.kind.is_none()) {
         Some(step) => Err(job::no_width(&step.param)),
@@ -38,16 +38,28 @@ pub(super) fn check(settings: &Settings, steps: &[Step]) -> Result<(), Failure> 
     }
 }
 
-/// That a parameter would cut our own line.
-pub(super) fn own_line(label: &str) -> Failure {
+/// That a parameter would cut our own line, and what does the same and follows.
+pub(super) fn own_line(param: u32, label: &str) -> Failure {
     let message = both!(
         "{label} is a setting of the bus that this goes over, and no source tells when it holds; nothing was sent",
         "{label} ist eine Einstellung des Busses, über den dies geht, und keine Quelle nennt, ab wann sie gilt; es wurde nichts gesendet"
     );
-    Failure::new(Class::Forbidden, "forbidden.own_line", message).hint(both!(
-        "write it over the serial plug of the drive; the node (P.900) alone moves by `antrieb line set`, which looks for the drive at both",
-        "über den seriellen Anschluss des Umrichters schreiben; nur den Knoten (P.900) stellt `antrieb line set` um und sucht ihn an beiden"
-    ))
+    let follows = |verb: &str| {
+        both!(
+            "`antrieb {verb}` writes it and follows the drive, whenever it holds",
+            "`antrieb {verb}` schreibt es und folgt dem Umrichter, wann immer es gilt"
+        )
+    };
+    let hint = match param {
+        900 => follows("line set --address N"),
+        903 => follows("line set --baud N"),
+        923 => follows("protocol set sdo1"),
+        _ => both!(
+            "over SDO2 (--protocol sdo) it cuts nothing; `antrieb protocol set sdo` switches SDO2 on",
+            "über SDO2 (--protocol sdo) trennt es nichts; `antrieb protocol set sdo` schaltet SDO2 ein"
+        ),
+    };
+    Failure::new(Class::Forbidden, "forbidden.own_line", message).hint(hint).with("param", param)
 }
 
 /// What to do where a node is silent is another matter than on a serial line.

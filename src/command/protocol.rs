@@ -18,6 +18,9 @@ use clap::{Args as ClapArgs, Subcommand};
 /// which holds at once, follows the drive, and proves that it answers. If it does not, but the old protocol still does,
 /// everything is left as it was. The way back is printed.
 ///
+/// On a CAN bus (--protocol sdo) `set sdo1` switches the channel for tools off (P.923 = 0) and goes over SDO1, and `set sdo` the way back;
+/// when that holds is in no source, so the drive is looked for over both.
+///
 /// The options say how the drive is reached now: antrieb --protocol vabus -a 1 protocol set rtu
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
@@ -31,7 +34,7 @@ enum What {
     Show,
     /// Brings the drive to another protocol
     Set {
-        /// rtu, ascii, vabus
+        /// rtu, ascii, vabus; on a CAN bus sdo, sdo1
         #[arg(id = "to", value_name = "PROTOCOL", value_parser = Wish::to_protocol)]
         wish: Wish,
     },
@@ -40,6 +43,7 @@ enum What {
 impl Verb for Args {
     const NAME: &'static str = "protocol";
     const TAKES: Takes = Takes::WRITES;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] =
         &["antrieb --port sim -a 1 protocol show", "antrieb --port sim -a 1 protocol set ascii --dry-run"];
     const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));

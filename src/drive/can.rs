@@ -6,7 +6,7 @@ pub(super) mod trouble;
 use super::interrupt::Interrupt;
 use super::pump;
 use super::{AccessError, Opening};
-use crate::exchange::can::{Channel, Ear, Opened, Opening as Conversation, Overheard, Traffic};
+use crate::exchange::can::{Channel, Ear, Opened, Opening as Conversation, Overheard, Traffic, Unopened};
 use crate::failure::Failure;
 use crate::outcome::Event;
 use crate::protocol::can::SdoChannel;
@@ -82,6 +82,35 @@ pub(super) async fn reopen(
     Ok(())
 }
 
+/// Speaks over another channel, or at another bit rate, from now on. At another rate the adapter is closed and the bus listened to before
+/// anything is sent; what was heard so far counts no more. [`LinkError::Unacknowledged`] where errors and no frame are heard there: then it
+/// is somebody else's rate, and the adapter only listens.
+pub(super) async fn retune(
+    link: &mut Link,
+    channel: SdoChannel,
+    bit_rate: Option<u32>,
+    heard: &Heard,
+    interrupt: &Interrupt,
+) -> Result<(), AccessError> {
+    let mut why = None;
+    if let Some(bit_rate) = bit_rate {
+        link.part();
+        let rate = number(bit_rate).ok_or(AccessError::Unspeakable)?;
+        match pump::run(&mut Conversation::new(rate), link, interrupt, None).await? {
+            Ok(opened) => *heard.borrow_mut() = opened.traffic,
+            Err(told) => {
+                let port = link.adapter().name;
+                why = Some(match told {
+                    Unopened::Errors(flags) => LinkError::Unacknowledged { port, flags },
+                    _ => LinkError::Unsent(port),
+                });
+            }
+        }
+    }
+    link.put_between(Box::new(Channel::new(channel, heard.clone())));
+    why.map_or(Ok(()), |why| Err(why.into()))
+}
+
 /// The number of a bit rate in SLCAN.
 fn number(bit_rate: u32) -> Option<u8> {
     match Word::rate(bit_rate) {
@@ -108,7 +137,7 @@ fn notes(port: &str, opened: &Opened) -> Vec<Text> {
 }
 
 /// Why nobody may be asked over a channel, if so: it belongs to who was heard.
-fn forbidden(traffic: &Traffic, channel: SdoChannel) -> Option<Failure> {
+pub(super) fn forbidden(traffic: &Traffic, channel: SdoChannel) -> Option<Failure> {
     match channel {
         SdoChannel::Two if traffic.asks(channel) => Some(trouble::other_tool()),
         SdoChannel::One if traffic.asks(channel) || traffic.has_master => Some(trouble::other_master()),

@@ -64,7 +64,7 @@ pub use session::Session;
 pub use sniff::{Filter, Listening, sniff};
 pub use tally::{is_over, summary};
 pub use target::Target;
-pub use terms::{PLACE_ON_BUS, Recognised, Stated, Terms, who};
+pub use terms::{Recognised, Stated, Terms, cut_by, who};
 pub use transfer::Reading;
 pub use upper::{Price, Upper};
 pub use watch::{Calls, Chosen, Compare, Condition, Item, Place, Rounds, Select, Signal, Test, When, Window, watch};

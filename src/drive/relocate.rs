@@ -4,6 +4,7 @@
 //! the next. If it does not, but still answers where it was, everything is put back. What the values mean and when they
 //! hold stands in the family's catalogue, `[link.line]`; format of VABus: sources A1.
 
+mod bus;
 mod journey;
 mod plot;
 mod said;
@@ -18,13 +19,14 @@ use super::target::Target;
 use crate::failure::{Class, Failure};
 use crate::gate::{Line, Permit};
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
-use crate::profile::{Family, Param, Type};
+use crate::profile::{Family, Param, Role, Type};
 use crate::protocol::Protocol;
+use crate::protocol::can::SdoChannel;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::text::{Text, Wrong, both};
 use journey::{Journey, Setback, follow, is_taken};
-use said::{ADDRESS, BAUD, left, lost, occupied, out_of_range};
+use said::{ADDRESS, BAUD, left, lost, occupied, other_line, out_of_range};
 use std::rc::Rc;
 
 /// How a drive is reached.
@@ -38,9 +40,9 @@ pub struct Place {
 /// What a drive's line is to be; `None` leaves it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wish {
-    /// P.395.
+    /// P.395; on a CAN bus the channel, so that the one for tools is there (P.923) or not.
     pub protocol: Option<Protocol>,
-    /// P.10: 2400, 4800, 9600, 19200, 57600 or 115200.
+    /// P.10: 2400, 4800, 9600, 19200, 57600 or 115200; on a CAN bus P.903, in bits per second.
     pub baud: Option<u32>,
     /// P.1375.
     pub parity: Option<Parity>,
@@ -85,6 +87,10 @@ enum Then {
 enum Change {
     Address(u8),
     Line(LineSetting),
+    /// Bits per second of a CAN bus.
+    Rate(u32),
+    /// Of a CAN bus: the channel.
+    Channel(SdoChannel),
 }
 
 impl Change {
@@ -92,7 +98,15 @@ impl Change {
         match self {
             Change::Address(address) => Place { address, ..place },
             Change::Line(line) => Place { line, ..place },
+            Change::Rate(rate) => Place { line: LineSetting::can(rate), ..place },
+            Change::Channel(channel) => Place { protocol: Protocol::Sdo(channel), ..place },
         }
+    }
+
+    /// Whether the drive is looked for where it was first: at another rate whoever asks disturbs those who are there, and over SDO1 a drive
+    /// answers as well while it has SDO2.
+    fn stays_first(self) -> bool {
+        matches!(self, Change::Rate(_) | Change::Channel(SdoChannel::One))
     }
 }
 
@@ -132,28 +146,38 @@ impl Place {
     }
 }
 
-/// Whether a drive can be set to it by the settings of its serial plug.
-fn is_of_a_line(protocol: &Protocol) -> bool {
-    *protocol != Framing::Tcp.into() && !matches!(protocol, Protocol::Sdo(_) | Protocol::Pkw)
+/// Whether a drive can be set to it.
+fn is_settable(protocol: &Protocol) -> bool {
+    *protocol != Framing::Tcp.into() && *protocol != Protocol::Pkw
+}
+
+/// Speeds that drives of a family can be set to, with their values.
+fn rates(family: &Family, is_on_bus: bool) -> &[(i64, u32)] {
+    let line = &family.link.line;
+    if is_on_bus { &line.bus_rates } else { &line.baud_rates }
 }
 
 impl Wish {
-    /// Reads the name of a protocol that a drive can be set to: `rtu`, `ascii`, `vabus`.
+    /// Reads the name of a protocol that a drive can be set to: `rtu`, `ascii`, `vabus`; on a CAN bus `sdo` or `sdo1`.
     pub fn to_protocol(text: &str) -> Result<Self, Wrong> {
-        let found = text.trim().to_ascii_lowercase().parse().ok().filter(is_of_a_line);
+        let found = text.trim().to_ascii_lowercase().parse().ok().filter(is_settable);
         let protocol = found.ok_or_else(|| {
             Wrong(both!(
-                "expected rtu, ascii or vabus, got '{text}'",
-                "erwartet: rtu, ascii oder vabus; angegeben: '{text}'"
+                "expected rtu, ascii or vabus, on a CAN bus sdo or sdo1, got '{text}'",
+                "erwartet: rtu, ascii oder vabus, am CAN-Bus sdo oder sdo1; angegeben: '{text}'"
             ))
         })?;
         Ok(Wish { protocol: Some(protocol), ..Wish::default() })
     }
 
-    /// Refuses what no drive of these families can be set to.
-    pub fn check(&self, families: &[Rc<Family>]) -> Result<(), Failure> {
+    /// Refuses what no drive of these families can be set to, over what is spoken with it now.
+    pub fn check(&self, families: &[Rc<Family>], now: Protocol) -> Result<(), Failure> {
+        let is_on_bus = bus::is_bus(now);
+        if self.protocol.is_some_and(|to| bus::is_bus(to) != is_on_bus) || (is_on_bus && self.parity.is_some()) {
+            return Err(other_line(is_on_bus));
+        }
         let mut rates: Vec<u32> =
-            families.iter().flat_map(|family| &family.link.line.baud_rates).map(|row| row.1).collect();
+            families.iter().flat_map(|family| rates(family, is_on_bus)).map(|row| row.1).collect();
         rates.sort_unstable();
         rates.dedup();
         if rates.is_empty() {
@@ -179,13 +203,16 @@ impl Wish {
 pub fn orders(wish: &Wish, protocol: Protocol, family: &Family) -> Vec<Inquiry> {
     let address = address_role(protocol);
     let line = &family.link.line;
-    let baud = coded(&line.baud_rates, wish.baud).map(|row| row.1);
+    let is_on_bus = bus::is_bus(protocol);
+    let baud = coded(rates(family, is_on_bus), wish.baud).map(|row| row.1);
     let parity = coded(&parities(family), wish.parity).map(|row| row.1);
-    let restart = baud.or(parity).and(line.restart);
+    let restart = baud.or(parity).and(line.restart).filter(|_| !is_on_bus);
+    let (speaks, rate) = if is_on_bus { (Role::BusTool, Role::BusRate) } else { (Role::Protocol, Role::BaudRate) };
+    let spoken = if is_on_bus { bus::CHANNELS.to_vec() } else { protocols(family) };
     let writes = [
-        ("protocol", coded(&protocols(family), wish.protocol).map(|row| row.1)),
+        (speaks.name(), coded(&spoken, wish.protocol).map(|row| row.1)),
         (address.name(), wish.address.map(i64::from)),
-        ("baud-rate", baud),
+        (rate.name(), baud),
         (line.parity.as_str(), parity),
         ("reset", restart),
     ];
@@ -215,7 +242,7 @@ impl Course {
                 Then::Stored => both!("holds after the restart", "gilt nach dem Neustart"),
                 Then::At(_) => both!("holds at once", "gilt sofort"),
                 Then::Perhaps(Change::Line(_)) => self.after_reset.clone(),
-                Then::Perhaps(Change::Address(_)) => both!(
+                Then::Perhaps(_) => both!(
                     "holds at once or when the drive is switched on the next time: its manual does not say; both are \
                      looked at",
                     "gilt sofort oder ab dem nächsten Einschalten: die Anleitung sagt es nicht; unter beiden wird \
@@ -232,7 +259,9 @@ impl Course {
                 when
             )
         };
-        self.legs.iter().map(step).chain([Text::join([&self.from.text(), &self.to.text()], " -> ")]).collect()
+        let way = Text::join([&self.from.text(), &self.to.text()], " -> ");
+        let besides = self.legs.iter().filter_map(|leg| bus::besides(leg.then));
+        self.legs.iter().map(step).chain([way]).chain(besides).collect()
     }
 
     /// What can be told before anything is done, and if nothing has to be.
@@ -247,7 +276,7 @@ impl Course {
                 Then::Stored => Moves::AfterRestart,
                 Then::At(_) => Moves::AtOnce,
                 Then::Perhaps(Change::Line(_)) => Moves::AfterRestart,
-                Then::Perhaps(Change::Address(_)) => Moves::Unsaid,
+                Then::Perhaps(_) => Moves::Unsaid,
                 Then::Restart(_) => Moves::Restart,
             },
             result: StepResult::Planned,
@@ -273,8 +302,9 @@ impl Course {
     pub async fn check_free(&self, session: &mut Session<'_>, target: &mut Target) -> Result<(), Failure> {
         let places = self.legs.iter().filter_map(|leg| match leg.then {
             Then::At(place) | Then::Restart(place) => Some(place),
+            // Nobody is asked at the rate of another bus, and over the other channel the drive itself may answer.
+            Then::Perhaps(Change::Rate(_) | Change::Channel(_)) | Then::Stored => None,
             Then::Perhaps(change) => Some(change.of(self.from)),
-            Then::Stored => None,
         });
         for place in places.filter(|place| *place != self.from) {
             let taken = is_taken(session, target, place).await;

@@ -317,16 +317,6 @@ impl<'a> Session<'a> {
         line.account.knows(address, family, order);
     }
 
-    /// Other speed, format or protocol from now on.
-    pub async fn retune(&mut self, protocol: Protocol, line: LineSetting) -> Result<(), AccessError> {
-        let retune = async |on: &mut OpenLine<'a>| {
-            on.link.set_line(line).await?;
-            on.master.retune(protocol, line, on.link.now());
-            Ok(())
-        };
-        self.on_line(retune).await
-    }
-
     /// What was heard on a CAN bus so far, whomever it was for.
     pub(super) fn traffic(&self) -> Option<Traffic> {
         self.heard.as_ref().map(|heard| heard.borrow().clone())
@@ -334,7 +324,8 @@ impl<'a> Session<'a> {
 
     /// Whether [`Session::retune`] can set another speed or format.
     pub fn can_retune(&self) -> bool {
-        self.line.borrow().link.can_set_line()
+        let line = self.line.borrow();
+        if line.master.line().is_can() { line.link.can_set_bit_rate() } else { line.link.can_set_line() }
     }
 
     /// Whether speed and format can be changed from here; behind a raw TCP port they are set by other means.

@@ -5,6 +5,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Evidence, Warning};
 use crate::profile::{Family, HazardKind, Param, Registry, Role};
 use crate::protocol::Protocol;
+use crate::protocol::can::SdoChannel;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::text::{Text, both};
@@ -57,7 +58,17 @@ pub struct Stated {
 
 /// The place of a node on the system bus: node, bit rate, the identifiers of SDO1, whether SDO2 is there (EM-RES-03 manual 5.4, 5.5,
 /// 5.9.4).
-pub const PLACE_ON_BUS: [u32; 5] = [900, 903, 921, 922, 923];
+const PLACE_ON_BUS: [u32; 5] = [900, 903, 921, 922, 923];
+
+/// What of it cuts the line of who asks over that bus: the settings of the channel that he does not use are settings like any other.
+pub fn cut_by(protocol: Protocol, node: u8) -> &'static [u32] {
+    match protocol {
+        _ if node > 0 => &PLACE_ON_BUS,
+        Protocol::Sdo(SdoChannel::Two) => &[900, 903, 923],
+        Protocol::Sdo(SdoChannel::One) => &[900, 903, 921, 922],
+        Protocol::Modbus(_) | Protocol::Vabus | Protocol::Pkw => &[],
+    }
+}
 
 /// A drive, and what told that it is this one.
 #[derive(Debug)]
@@ -84,10 +95,10 @@ impl Terms<'_> {
     /// A parameter as it is on this line: what sets a node's place on the system bus cuts the line where that goes over the bus, to the
     /// drive itself or to one behind it, and is a setting like any other where it does not.
     pub fn on_line(&self, family: &Family, param: &Param) -> Param {
-        let is_on_bus = matches!(self.speech.protocol, Protocol::Sdo(_)) || self.speech.node > 0;
+        let cuts = cut_by(self.speech.protocol, self.speech.node).contains(&param.id);
         let is_place = PLACE_ON_BUS.contains(&param.id);
         let is_of_bus = is_place && family.group("systembus").is_some_and(|bus| bus.contains(&param.id));
-        let hazard = if is_of_bus { is_on_bus.then_some(HazardKind::Line) } else { param.hazard };
+        let hazard = if is_of_bus { cuts.then_some(HazardKind::Line) } else { param.hazard };
         Param { hazard, ..param.clone() }
     }
 

@@ -257,6 +257,11 @@ pub(super) trait Speech {
         line.chars(bytes as u64)
     }
 
+    /// Whether what is sent waits behind what was sent before, so that nobody has to wait for the end of that.
+    fn queues(&self) -> bool {
+        false
+    }
+
     /// Pause after a reply.
     fn gap(&self, line: LineSetting, pause: Span) -> Span {
         pause.longer(self.silence(line))

@@ -365,7 +365,7 @@ impl Master {
         };
         self.sent.truncate(1);
         self.sent.insert(0, bytes.clone());
-        self.ready_at = sent_end + silence;
+        self.ready_at = if self.dialect.queues() { now } else { sent_end + silence };
         self.record(Record { at: now, verdict, bytes: bytes.clone() });
         Step::Send(bytes)
     }

@@ -217,6 +217,11 @@ pub struct Diagnosis {
     pub fault: Option<Fault>,
     /// Warning word.
     pub warnings: Option<Word>,
+    /// Digital inputs, bit by bit; null where the family shows none.
+    pub inputs: Option<Word>,
+    /// What the system bus tells of it; missing where it is not asked over one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bus: Option<BusDiagnosis>,
     /// What keeps the drive from running by the control word, and how one sees it.
     pub missing: Vec<Text>,
     /// Latest entry of the fault memory, where the family has parameters for it.
@@ -237,6 +242,15 @@ pub struct Diagnosis {
     pub slave: Option<SlaveDiagnosis>,
     /// Why it could not be diagnosed.
     pub error: Option<ErrorDoc>,
+}
+
+/// What the system bus tells of a drive.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BusDiagnosis {
+    /// State of the node and of its controller (P.978, P.979).
+    pub values: Vec<Value>,
+    /// Emergencies that were heard while this was asked, in their order; over the plug of another drive there are none to hear.
+    pub emergencies: Vec<Text>,
 }
 
 /// A diagnostic counter.

@@ -30,8 +30,8 @@ pub use document::{
     OrWrite,
 };
 pub use found::{
-    Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
-    SearchNews,
+    Bucket, BusDiagnosis, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan,
+    Search, SearchNews,
 };
 pub use import::{Export, Import, ImportColumn, ImportRow, ListOr, RowLeftOut};
 pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};

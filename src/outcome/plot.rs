@@ -4,17 +4,19 @@ use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Result of `plot`. Times are seconds of the record.
+/// Result of `plot`. Times are seconds of the record; of the characteristic of an analog input they are volts.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Plot {
-    /// The record.
+    /// The record, or the parameter file.
     pub file: String,
     /// The picture that was written.
     pub svg: Option<String>,
-    /// Address of the drive.
+    /// Address of the drive; 0 where a parameter file names none.
     pub address: u8,
     /// Family.
     pub drive: String,
+    /// Unit of the horizontal axis: `s`, `V`.
+    pub across: &'static str,
     /// From then on.
     pub from: f64,
     /// Until then.
@@ -87,7 +89,7 @@ pub struct PlotResponse {
 pub struct PlotMark {
     /// When it was.
     pub t: f64,
-    /// `trigger`, `fault`, `stop`.
+    /// `trigger`, `fault`, `stop`; `zero` where the setpoint of an analog input is zero.
     pub kind: &'static str,
     /// What it was.
     pub text: Text,

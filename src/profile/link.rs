@@ -66,6 +66,9 @@ fn after_reset() -> Text {
 pub struct LineTable {
     /// Values of the role `baud-rate`, and their speeds.
     pub baud_rates: Vec<(i64, u32)>,
+    /// Values of the role `bus-rate`, and their bits per second on a system bus.
+    #[serde(default)]
+    pub bus_rates: Vec<(i64, u32)>,
     /// Role of the parameter that holds the parity.
     pub parity: String,
     /// Its values: `even`, `odd`, `none`.

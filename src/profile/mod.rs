@@ -6,6 +6,7 @@
 
 mod broken;
 mod catalogue;
+pub mod characteristic;
 mod cited;
 mod family;
 mod files;

@@ -34,6 +34,8 @@ roles! {
     BaudRate "baud-rate" "Speed of the line.",
     BrakingTime "braking-time" "How long it brakes by direct current behind a stop.",
     BusNode "bus-node" "Its address on the system bus.",
+    BusRate "bus-rate" "Bit rate of the system bus.",
+    BusTool "bus-tool" "Whether it has the channel of the system bus that is meant for tools.",
     Configuration "configuration" "Kind of regulation, and where functions take their input from.",
     ControlDeviation "control-deviation" "How far the actual value may be from the setpoint and still be reached.",
     ControlMode "control-mode" "Who is obeyed: contacts, control word.",

@@ -25,6 +25,8 @@ const GERMAN: &[(&str, &str)] = &[
     ("end", "Ende"),
     ("gap", "Lücke"),
     ("trigger", "Auslöser"),
+    ("zero", "null"),
+    ("input [V]", "Eingang [V]"),
     ("picture", "Bild"),
     ("t [s]", "t [s]"),
     ("min", "Kleinstwert"),
@@ -285,6 +287,8 @@ const GERMAN: &[(&str, &str)] = &[
     ("values", "Werte"),
     ("volatile", "flüchtig"),
     ("warnings", "Warnungen"),
+    ("inputs", "Eingänge"),
+    ("system bus", "Systembus"),
     ("watchdog", "Watchdog"),
     ("yes", "ja"),
     // Parameter files.

@@ -77,6 +77,8 @@ pub enum MarkKind {
 pub struct Scene {
     /// What stands above it.
     pub title: String,
+    /// What its horizontal axis is, with the unit: time in seconds.
+    pub across: Text,
     /// The curves, of at most two units.
     pub curves: Vec<Curve>,
     /// The states, in the order of time.

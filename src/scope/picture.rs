@@ -75,8 +75,7 @@ impl<'s> Sheet<'s> {
             line(out, (x, TOP, x, BOTTOM), GRID);
             text(out, (x, BOTTOM + 19.0), "middle", "", &self.time.label(tick));
         }
-        let seconds = both!("time [s]", "Zeit [s]");
-        text(out, ((LEFT + RIGHT) / 2.0, BOTTOM + 39.0), "middle", "", seconds.get(self.scene.lang));
+        text(out, ((LEFT + RIGHT) / 2.0, BOTTOM + 39.0), "middle", "", self.scene.across.get(self.scene.lang));
         for ((unit, axis), (x, side)) in self.axes.iter().zip([(LEFT, -1.0), (RIGHT, 1.0)]) {
             for tick in axis.ticks() {
                 let y = y(*axis, tick);

@@ -1,6 +1,7 @@
 //! A CAN interface of the kernel (SocketCAN) as an adapter that speaks SLCAN: what carries bytes carries this too, and a recording of it
 //! plays back like any other. Whoever opened the interface has set its bit rate; it acknowledges what it hears, so it cannot only listen.
 
+use super::can_rate;
 use super::can_trouble::CanTrouble;
 use super::clock::Clock;
 use super::{Ends, LinkError, Wake};
@@ -22,6 +23,8 @@ pub(super) struct CanLink {
     /// As it was named: `can:can0`.
     name: String,
     interface: String,
+    /// Bits per second that it is to have.
+    rate: u32,
     voice: Ends<Voice>,
     clock: Clock,
 }
@@ -33,9 +36,16 @@ struct Voice {
     adapter: Adapter,
     /// What the adapter says and nobody has read yet.
     said: VecDeque<u8>,
+    /// Frames for which the kernel had no room, and since when the first of them waits.
+    waiting: VecDeque<Frame>,
+    waits_since: Option<Tick>,
     trouble: Option<CanTrouble>,
 }
 
+/// The kernel tells nobody when it has room again (ENOBUFS), so that is tried again behind this; a frame that waits for longer than the second
+/// is refused, as an adapter does whose bus takes nothing.
+const AGAIN: Span = Span::from_millis(2);
+const REFUSED: Span = Span::from_millis(1_000);
 /// Where the kernel tells of its interfaces.
 const INTERFACES: &str = "/sys/class/net";
 /// Bytes of a frame of the kernel (struct can_frame): identifier with flags, length, three unused, eight of data.
@@ -57,8 +67,9 @@ const FLAG_PASSIVE: u8 = 1 << 5;
 const FLAG_ERROR: u8 = 1 << 7;
 
 impl CanLink {
-    pub(super) fn open(name: String, interface: &str) -> Result<Self, LinkError> {
-        let mut link = CanLink { name, interface: interface.to_owned(), voice: Ends::Closed, clock: Clock::start() };
+    pub(super) fn open(name: String, interface: &str, rate: u32) -> Result<Self, LinkError> {
+        let mut link =
+            CanLink { name, interface: interface.to_owned(), rate, voice: Ends::Closed, clock: Clock::start() };
         link.reopen()?;
         Ok(link)
     }
@@ -67,6 +78,9 @@ impl CanLink {
         self.voice = Ends::Closed;
         if let Some(why) = CanTrouble::of_interface(Path::new(INTERFACES), &self.interface) {
             return Err(self.ails(why));
+        }
+        if let Some(is) = can_rate::bit_rate(&self.interface).filter(|is| *is != self.rate) {
+            return Err(self.ails(CanTrouble::Rate { is, meant: self.rate }));
         }
         let voice = Voice::open(&self.interface).map_err(|error| match CanTrouble::of_system(&error) {
             Some(why) => self.ails(why),
@@ -105,7 +119,7 @@ impl CanLink {
 
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let woken = match &mut self.voice {
-            Ends::Open(voice) => self.clock.listen(voice, until).await,
+            Ends::Open(voice) => voice.wait(&self.clock, until).await,
             Ends::Lost => Err(io::ErrorKind::NotConnected.into()),
             Ends::Closed => {
                 self.clock.rest_until(until).await;
@@ -139,7 +153,9 @@ impl Voice {
         socket.set_nonblocking(true)?;
         socket.set_error_filter_accept_all()?;
         let quirks = AdapterQuirks { listens: false, latency: Span::ZERO, ..AdapterQuirks::default() };
-        Ok(Voice { socket: AsyncFd::new(socket)?, adapter: Adapter::new(quirks), said: VecDeque::new(), trouble: None })
+        let (adapter, socket) = (Adapter::new(quirks), AsyncFd::new(socket)?);
+        let (said, waiting) = (VecDeque::new(), VecDeque::new());
+        Ok(Voice { socket, adapter, said, waiting, waits_since: None, trouble: None })
     }
 
     /// What its host tells the adapter.
@@ -148,23 +164,47 @@ impl Voice {
             for out in self.adapter.feed(byte) {
                 match out {
                     AdapterOut::Says(text, _) => self.said.extend(text.bytes()),
-                    AdapterOut::Sends(frame) => self.put(&frame)?,
+                    AdapterOut::Sends(frame) => self.waiting.push_back(frame),
                 }
             }
         }
-        Ok(())
+        self.put()
     }
 
-    /// A frame goes out; one that the kernel has no room for is refused, as an adapter does.
-    fn put(&mut self, frame: &Frame) -> io::Result<()> {
-        match self.socket.get_mut().write(&raw(frame)) {
-            Ok(_) => Ok(()),
-            Err(error) if error.kind() == io::ErrorKind::WouldBlock || error.raw_os_error() == Some(libc::ENOBUFS) => {
+    /// Waits until something comes or the time is over; what waits for room goes out meanwhile.
+    async fn wait(&mut self, clock: &Clock, until: Tick) -> io::Result<Wake> {
+        loop {
+            self.put()?;
+            let since = (!self.waiting.is_empty()).then(|| self.waits_since.unwrap_or(clock.now()));
+            self.waits_since = since;
+            if since.is_some_and(|since| clock.now().since(since) > REFUSED) {
+                self.waiting.clear();
                 self.said.push_back(b'\x07');
-                Ok(())
             }
-            Err(error) => Err(error),
+            let step = since.map_or(until, |_| until.min(clock.now() + AGAIN));
+            match clock.listen(self, step).await? {
+                Wake::Silence if step < until => {}
+                wake => return Ok(wake),
+            }
         }
+    }
+
+    /// Frames go out as long as the kernel has room for them.
+    fn put(&mut self) -> io::Result<()> {
+        while let Some(frame) = self.waiting.front() {
+            match self.socket.get_mut().write(&raw(frame)) {
+                Ok(_) => {}
+                Err(error)
+                    if error.kind() == io::ErrorKind::WouldBlock || error.raw_os_error() == Some(libc::ENOBUFS) =>
+                {
+                    return Ok(());
+                }
+                Err(error) => return Err(error),
+            }
+            self.waiting.pop_front();
+            self.waits_since = None;
+        }
+        Ok(())
     }
 
     /// What came from the kernel.

@@ -19,6 +19,13 @@ pub enum CanTrouble {
     Permission,
     /// Its controller has given the bus up.
     BusOff,
+    /// It was opened with another bit rate than is meant.
+    Rate {
+        /// Bits per second that it has.
+        is: u32,
+        /// Bits per second that it is to have.
+        meant: u32,
+    },
 }
 
 /// What the kernel calls interfaces of this kind (ARPHRD_CAN), and the flag of one that is up (IFF_UP).
@@ -58,6 +65,7 @@ impl CanTrouble {
             CanTrouble::Kernel => "port.can_kernel",
             CanTrouble::Permission => "port.permission",
             CanTrouble::BusOff => "port.bus_off",
+            CanTrouble::Rate { .. } => "port.can_rate",
         }
     }
 
@@ -89,6 +97,10 @@ impl CanTrouble {
                 "the controller of '{port}' has given the bus up (bus off)",
                 "der Controller von '{port}' hat den Bus aufgegeben (Bus-Off)"
             ),
+            CanTrouble::Rate { is, meant } => both!(
+                "the CAN interface '{port}' was opened with {is} bit/s, and {meant} bit/s are meant; nothing was sent",
+                "die CAN-Schnittstelle '{port}' ist mit {is} bit/s geöffnet, gemeint sind {meant} bit/s; es wurde nichts gesendet"
+            ),
         }
     }
 
@@ -107,6 +119,10 @@ impl CanTrouble {
             CanTrouble::Down => both!(
                 "as root: `ip link set {name} up type can bitrate 500000`, with the bit rate of the bus (P.903)",
                 "als root: `ip link set {name} up type can bitrate 500000`, mit der Bitrate des Busses (P.903)"
+            ),
+            CanTrouble::Rate { is, meant } => both!(
+                "-b {is}, if the bus has that rate; else as root: `ip link set {name} down` and `ip link set {name} up type can bitrate {meant}`",
+                "-b {is}, wenn der Bus diese Bitrate hat; sonst als root: `ip link set {name} down` und `ip link set {name} up type can bitrate {meant}`"
             ),
             CanTrouble::Kernel => {
                 both!("as root: `modprobe can_raw`", "als root: `modprobe can_raw`")
@@ -154,6 +170,7 @@ mod tests {
             (of(libc::EAFNOSUPPORT), "port.can_kernel", "no CAN"),
             (of(libc::EPERM), "port.permission", "no permission"),
             (Some(CanTrouble::BusOff), "port.bus_off", "bus off"),
+            (Some(CanTrouble::Rate { is: 250_000, meant: 500_000 }), "port.can_rate", "with 250000 bit/s"),
         ];
         for (trouble, code, text) in all {
             let trouble = trouble.unwrap();

@@ -9,6 +9,8 @@ mod between;
 #[cfg(target_os = "linux")]
 mod can;
 #[cfg(target_os = "linux")]
+mod can_rate;
+#[cfg(target_os = "linux")]
 mod can_trouble;
 mod clock;
 mod door;
@@ -112,7 +114,7 @@ impl Link {
             // A bus has no characters; its adapter has, and most take any speed.
             Port::Slcan(port) => return Box::pin(Link::open(port, ADAPTER, Rs485::default())).await,
             #[cfg(target_os = "linux")]
-            Port::Can(interface) => Carrier::Can(Box::new(can::CanLink::open(port.to_string(), interface)?)),
+            Port::Can(interface) => Carrier::Can(Box::new(can::CanLink::open(port.to_string(), interface, line.baud)?)),
             #[cfg(not(target_os = "linux"))]
             Port::Can(_) => return Err(LinkError::NotFound(port.to_string())),
             Port::Tape(file) => Carrier::Tape(Box::new(tape::TapeLink::open(file, line)?)),
@@ -215,6 +217,15 @@ impl Link {
             Carrier::Beside(_) => false,
             _ => true,
         }
+    }
+
+    /// Whether the bit rate of a CAN bus is set through it, in words of an adapter; an interface of the kernel has one already.
+    pub fn can_set_bit_rate(&self) -> bool {
+        #[cfg(target_os = "linux")]
+        if let Carrier::Can(_) = self.carrier {
+            return false;
+        }
+        true
     }
 
     /// Changes speed and character format of the open link, from the next telegram on; what came in before is

@@ -189,6 +189,7 @@ pub mod witness {
     pub fn call(attends: bool) {
         CALLED.set(attends);
         LEFT.take();
+        CAN.take();
     }
 
     /// Time of a bench passes at a question, as it does on a line: whoever answers looks at the telegrams to know when.
@@ -265,6 +266,11 @@ pub mod witness {
     /// The CAN bus that was left behind last.
     pub fn left_can() -> Option<Can> {
         CAN.take()
+    }
+
+    /// Looks at it, and leaves it there.
+    pub fn look_at_can<T>(look: impl FnOnce(&Can) -> T) -> Option<T> {
+        CAN.with_borrow(|bus| bus.as_ref().map(look))
     }
 
     pub(super) fn take_can(bus: &Can) {

@@ -150,6 +150,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::recognise::active",
             "drive::recognise::description",
             "drive::relocate",
+            "drive::relocate::bus",
             "drive::relocate::journey",
             "drive::relocate::plot",
             "drive::route",

@@ -8,6 +8,7 @@
 
 mod agreeable;
 mod analog;
+mod bus_place;
 mod commissioning;
 mod gathering;
 mod german;

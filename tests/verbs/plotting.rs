@@ -228,3 +228,36 @@ fn what_is_no_record_or_no_column_is_refused() {
     assert_eq!(refused.text_of("old.svg"), "precious");
     antrieb(line).and("--force").file("record.csv", RECORD).file("old.svg", "precious").exits(0);
 }
+
+/// The characteristic of an analog input: the examples of the EM-RES-03 manual (6.1.3.1).
+#[test]
+fn the_characteristic_of_an_analog_input_is_drawn_in_each_mode() {
+    let file = "antrieb = 1\ndrive.family = \"acu\"\n[values]\n562 = \"1\"\n564 = \"-70.00 %\"\n565 = \"-50.00 %\"\n566 = \"80.00 %\"\n567 = \"85.00 %\"\n";
+    let plot = |modes: &str| {
+        antrieb(&format!("plot {{dir}}/x.toml {modes} --svg {{dir}}/x.svg")).file("x.toml", file).json().exits(0)
+    };
+    let own = plot("");
+    assert_eq!((own.data("/across"), own.data("/curves/0/part")), (&json!("V"), &json!("other")));
+    assert_eq!((own.data("/from"), own.data("/to")), (&json!(-10.0), &json!(10.0)));
+    assert_eq!([own.data("/curves/0/min"), own.data("/curves/0/max")], [&json!(-50.0), &json!(85.0)]);
+    let zero = own.data("/marks/0/text").as_str().unwrap();
+    assert!(zero.contains("-1.44 V") && zero.contains("0.20 V"), "{zero}");
+    // What is not printed is another curve, and the factory's band is told.
+    assert_eq!(own.data("/curves").as_array().unwrap().len(), 2);
+    let codes: Vec<_> = own.value["warnings"].as_array().unwrap().iter().map(|row| row["code"].clone()).collect();
+    assert_eq!(codes, ["plot.factory", "plot.open"]);
+    assert!(own.text_of("x.svg").contains("input [V]"));
+    let all = plot("1 11 21 101");
+    let highest: Vec<_> = all.data("/curves").as_array().unwrap().iter().map(|row| row["min"].clone()).collect();
+    assert_eq!(highest, [json!(-50.0), json!(0.0), json!(0.0), json!(0.0)]);
+    let table = antrieb("--lang de plot {dir}/x.toml 21").file("x.toml", file).exits(0).out;
+    assert!(table.contains("21 Unipolar 2-10 V") && table.contains("10 V"), "{table}");
+    for (typed, text, exit) in [
+        ("plot {dir}/x.toml 2", file.to_owned(), 2),
+        ("plot {dir}/x.toml --measure", file.to_owned(), 2),
+        ("plot {dir}/x.toml", file.replace("80.00", "-70.00"), 7),
+        ("plot {dir}/x.toml", file.replace("acu", "sj200"), 7),
+    ] {
+        antrieb(typed).file("x.toml", &text).exits(exit);
+    }
+}

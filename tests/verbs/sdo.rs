@@ -195,6 +195,15 @@ fn the_other_verbs_that_speak_it_do() {
     let run = antrieb("--protocol sdo -a 5 identify").on(&bus("")).json().exits(0);
     assert_eq!(run.data("/drives/0/drive"), "acu");
     antrieb("--protocol sdo -a 5 diag").on(&bus("")).exits(0);
+    // The bus tells more of it: state of node and controller, and what it says of its fault while it is asked.
+    let trips = bus("") + "[[drive.event]]\nat = \"1s\"\nfault = \"F0503\"\n";
+    let run = antrieb("--protocol sdo -a 5 diag").on(&trips).json().exits(0);
+    let states: Vec<_> =
+        run.data("/drives/0/bus/values").as_array().unwrap().iter().map(|row| row["param"].clone()).collect();
+    assert_eq!(states, [978, 979]);
+    assert!(run.data("/drives/0/bus/emergencies/0").as_str().unwrap().contains("F0503"));
+    let page = antrieb("--protocol sdo -a 5 diag").on(&trips).exits(0).out;
+    assert!(page.contains("EM-S1IND 0") && page.contains("Node state") && page.contains("emergency"), "{page}");
     antrieb("--protocol sdo -a 5 monitor --count 2 411").on(&bus("")).exits(0);
     let run = antrieb("--protocol sdo -a 5 read 411 --dry-run").on(&bus("")).json().exits(0);
     assert_eq!(run.data("/telegrams/0/hex"), "645#40 9B 01 00 00 00 00 00");

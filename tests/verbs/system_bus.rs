@@ -249,7 +249,7 @@ fn a_node_is_moved_over_the_bus_and_found_whenever_it_holds() {
     for (typed, exit) in [
         ("-a 5 --yes line set --address 6", 8),
         ("-a 5 --yes line set --address 64", 7),
-        ("-a 5 --yes line set --baud 9600", 8),
+        ("-a 5 --yes line set --baud 9600", 7),
         ("-a master --yes line set --address 9", 8),
         ("-a 5 line set --address 9", 8),
     ] {

@@ -1,5 +1,6 @@
-//! `plot`: a record of `monitor` as a picture, and what its curves come to. No drive is needed.
+//! `plot`: a record of `monitor` as a picture, and what its curves come to; or the characteristic of an analog input. No drive is needed.
 
+mod input;
 mod record;
 
 use super::verb::{Verb, Working};
@@ -15,7 +16,7 @@ use clap::Args as ClapArgs;
 use record::{Column, Track};
 use std::path::{Path, PathBuf};
 
-/// Draws a record of `monitor`: setpoint, actual value, current over time.
+/// Draws a record of `monitor` over time, or the characteristic of an analog input.
 ///
 /// On a terminal as a chart, with --svg as a picture for print: lines that differ without colour, two axes, states, faults, gaps and
 /// triggers. No drive is needed. Columns are named by their slug, number, or setpoint, actual, current; curves of at most two units
@@ -24,9 +25,12 @@ use std::path::{Path, PathBuf};
 /// --measure tells what each curve comes to between --from and --to (mean and effective value are weighed with time), and how the
 /// actual value followed each change of the setpoint: overshoot, settling time, slope, dead time. What a record cut short does not
 /// tell is left open.
+///
+/// Of a file of settings (`dataset save`, .toml) the analog input of an EM-RES-03 is drawn: setpoint over voltage, by P.560 and P.562 to
+/// P.567. Numbers behind it are modes of P.562 (1, 11, 21, 101) in place of the one of the file.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// What `monitor --record` has written, NDJSON or CSV
+    /// What `monitor --record` has written, NDJSON or CSV; or a parameter file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
 
@@ -64,6 +68,7 @@ impl Verb for Args {
         "antrieb plot record.csv",
         "antrieb plot record.csv --measure --from 1s --to 9s",
         "antrieb plot record.csv setpoint actual --svg ramp.svg",
+        "antrieb plot drive.toml 1 11 21 101 --svg input.svg",
     ];
     type Prints = Document<Plot>;
 
@@ -74,6 +79,9 @@ impl Verb for Args {
 
 /// Draws and measures.
 pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
+    if input::is_settings(&args.file) {
+        return input::run(args, context);
+    }
     let settings = context.settings;
     let mut tracks = record::read(&args.file, context.registry)?;
     let known: Vec<u8> = tracks.keys().copied().collect();
@@ -124,7 +132,8 @@ impl Args {
         let marks = track.marks.iter().filter(|mark| is_seen(mark.t)).cloned().collect();
         let gaps = track.gaps().into_iter().filter(|gap| gap.1 > from && gap.0 < to).collect();
         let states = track.states().into_iter().filter(|state| state.to >= from && state.from <= to).collect();
-        let scene = Scene { title, curves, states, marks, gaps, from, to, lang };
+        let across = both!("time [s]", "Zeit [s]");
+        let scene = Scene { title, across, curves, states, marks, gaps, from, to, lang };
         let units = scene.units();
         let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), self.measure);
         let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0, &track.breaks()));
@@ -133,6 +142,7 @@ impl Args {
             svg: self.svg.as_ref().map(|path| path.display().to_string()),
             address,
             drive: track.drive.clone(),
+            across: "s",
             from: rounded(from),
             to: rounded(to),
             curves: columns.iter().zip(&scene.curves).map(row).collect(),

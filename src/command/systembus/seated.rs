@@ -7,7 +7,7 @@ use crate::command::plant::lines::{Said, Wanted, by_line};
 use crate::command::{Context, named_family, on_bus};
 use crate::drive::plant::Line;
 use crate::drive::transaction::{Choice, UndoPlace};
-use crate::drive::{PLACE_ON_BUS, Port, Reader, Session, Target, Upper, open_port};
+use crate::drive::{Port, Reader, Session, Target, Upper, cut_by, open_port};
 use crate::failure::{Class, Failure};
 use crate::profile::paramfile::{At, Setting, Settings as Values};
 use crate::profile::{DataSets, Family, Type};
@@ -119,8 +119,8 @@ impl Seated {
                 let found = look(session, seen.target).await;
                 let Some(drive) = self.plan.drives.iter_mut().find(|drive| drive.name == member.name) else { continue };
                 let why = settle(drive, &found);
-                let own_line = writes && settings.is_can();
-                let why = why.or_else(|| cuts(&self.plan, &member.name, &found).filter(|_| own_line));
+                let own = if writes { cut_by(settings.protocol, 0) } else { &[] };
+                let why = why.or_else(|| cuts(&self.plan, &member.name, &found, own));
                 unsettled.extend(why.map(|why| (member.name.clone(), why)));
             }
         }
@@ -207,13 +207,13 @@ fn settle(drive: &mut Drive, found: &BTreeMap<u32, i64>) -> Option<Failure> {
 }
 
 /// Why its place on the bus cannot be changed over that bus, if the plan would.
-fn cuts(plan: &Plan, name: &str, found: &BTreeMap<u32, i64>) -> Option<Failure> {
+fn cuts(plan: &Plan, name: &str, found: &BTreeMap<u32, i64>, own: &[u32]) -> Option<Failure> {
     let drive = plan.drives.iter().find(|drive| drive.name == name)?;
     let settings = systembus::settings(plan, drive);
     let is_other = |param: u32, value: i64| found.get(&param).is_some_and(|stands| *stands != value);
     let differs = |one: &&systembus::Setting| one.value.is_some_and(|value| is_other(one.param, value));
-    let own = settings.iter().filter(|one| PLACE_ON_BUS.contains(&one.param)).find(differs)?;
-    Some(on_bus::own_line(&format!("P.{}", own.param)).with("param", own.param))
+    let own = settings.iter().filter(|one| own.contains(&one.param)).find(differs)?;
+    Some(on_bus::own_line(own.param, &format!("P.{}", own.param)))
 }
 
 fn uncounted(drive: &Drive) -> Failure {

@@ -2,7 +2,7 @@
 
 use super::plot::address_role;
 use super::said::unmoved;
-use super::{Leg, Place, Then, number, parities, protocols};
+use super::{Change, Leg, Place, Then, number, parities, protocols};
 use crate::drive::access::AccessError;
 use crate::drive::probe::probe;
 use crate::drive::session::Session;
@@ -14,6 +14,7 @@ use crate::gate::{Line, Permit};
 use crate::profile::{Role, Type};
 use crate::protocol::Protocol;
 use crate::tick::Span;
+use crate::transport::LinkError;
 
 /// How often a step is tried while the drive still answers where it was.
 const TRIES: u8 = 3;
@@ -51,7 +52,7 @@ impl Journey<'_, '_> {
         match leg.then {
             Then::Stored => self.store(leg).await,
             Then::At(place) => self.hop(leg, place).await,
-            Then::Perhaps(change) => self.hop_or_store(leg, change.of(self.here)).await,
+            Then::Perhaps(change) => self.hop_or_store(leg, change).await,
             Then::Restart(place) => self.restart(leg, place).await,
         }
     }
@@ -109,7 +110,8 @@ impl Journey<'_, '_> {
 
     /// Writes what may move the drive at once or with the next power-on, and looks under both. Nobody answered at the new
     /// place before, so whoever does now is the drive.
-    async fn hop_or_store(&mut self, leg: &Leg, place: Place) -> Result<(), Setback> {
+    async fn hop_or_store(&mut self, leg: &Leg, change: Change) -> Result<(), Setback> {
+        let place = change.of(self.here);
         let both = [place, self.here];
         let mut last = None;
         for _ in 0..TRIES {
@@ -121,7 +123,9 @@ impl Journey<'_, '_> {
                 }
                 Err(error) => last = Some(error),
             }
-            let found = self.arrives(&[both, both].concat()).await;
+            let stays = change.stays_first() && !self.shows_itself(change).await;
+            let looked = if stays { [self.here, place] } else { both };
+            let found = self.arrives(&[looked, looked].concat()).await;
             let stored = match found {
                 Ok(Some(found)) if found == place => {
                     self.undo.extend(leg.back(Then::At(self.here)));
@@ -210,7 +214,11 @@ impl Journey<'_, '_> {
     /// Whether the drive answers there, and says that it speaks what is spoken there. With `retries` in place of the
     /// usual number.
     async fn answers(&mut self, place: Place, retries: Option<u8>) -> Result<bool, AccessError> {
-        follow(self.session, self.target, place).await?;
+        match follow(self.session, self.target, place).await {
+            // On a CAN bus of another rate there are errors, and no drive of ours.
+            Err(AccessError::Link(LinkError::Unacknowledged { .. })) => return Ok(false),
+            followed => followed?,
+        }
         let usual = self.session.limits();
         let limits = Limits { retries: retries.unwrap_or(usual.retries), ..usual };
         let is_on_bus = matches!(place.protocol, Protocol::Sdo(_));
@@ -225,9 +233,19 @@ impl Journey<'_, '_> {
         let read = async |session: &mut Session<'_>| target.read_set(session, &param, 0).await;
         match self.session.within(limits, read).await {
             Ok(reading) => Ok(protocol.is_none() || Some(reading.raw) == spoken),
+            Err(AccessError::Link(LinkError::Unacknowledged { .. })) => Ok(false),
             Err(error) if error.is_fatal() => Err(error),
             Err(_) => Ok(false),
         }
+    }
+
+    /// Whether somebody is heard at another bit rate of a CAN bus before anybody is asked there. The adapter leaves the old one at once: a
+    /// drive that has gone, and says so, would be disturbed.
+    async fn shows_itself(&mut self, change: Change) -> bool {
+        let Change::Rate(_) = change else { return false };
+        let place = change.of(self.here);
+        let followed = follow(self.session, self.target, place).await;
+        followed.is_ok() && self.session.traffic().is_some_and(|traffic| traffic.frames > 0)
     }
 
     fn failure(&self, error: &AccessError) -> Failure {

@@ -1,5 +1,6 @@
 //! Finds the way from where a drive is to what is wished for.
 
+use super::bus::is_bus;
 use super::said::{
     ADDRESS, behind_another, cannot_follow, of_the_bus, out_of_range, speaks_one_only, unknown_settings,
 };
@@ -17,17 +18,20 @@ use crate::protocol::vabus::Address;
 /// Finds the way to what is wished for, by reading the settings of the drive; says why if there is none.
 pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish) -> Result<Course, Failure> {
     let family = target.family.clone();
-    wish.check(std::slice::from_ref(&family))?;
+    wish.check(std::slice::from_ref(&family), session.protocol())?;
     if session.node() != 0 {
         return Err(behind_another());
     }
-    let others = wish.protocol.is_some() || wish.baud.is_some() || wish.parity.is_some();
-    let is_on_bus = matches!(session.protocol(), Protocol::Sdo(_));
-    if is_on_bus && (others || target.address > LAST_DRIVE) {
+    let is_on_bus = is_bus(session.protocol());
+    if is_on_bus && target.address > LAST_DRIVE {
         return Err(of_the_bus());
     }
     let from = Place { protocol: session.protocol(), line: session.line(), address: target.address };
     let mut plot = Plot { session, target, here: from, legs: Vec::new(), restarts: false };
+    if is_on_bus {
+        plot.over_bus(wish).await?;
+        return Ok(Course { from, to: plot.here, legs: plot.legs, after_reset: family.link.after_reset.clone() });
+    }
     if let Some(protocol) = wish.protocol.filter(|to| *to != from.protocol) {
         let (protocol, raw) =
             coded(&protocols(&family), Some(protocol)).ok_or_else(|| speaks_one_only(&from.protocol))?;
@@ -62,12 +66,12 @@ pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish)
 }
 
 /// A way that is being drawn.
-struct Plot<'p, 's> {
-    session: &'p mut Session<'s>,
-    target: &'p mut Target,
+pub(super) struct Plot<'p, 's> {
+    pub(super) session: &'p mut Session<'s>,
+    pub(super) target: &'p mut Target,
     /// Where the drive is after what is drawn so far.
-    here: Place,
-    legs: Vec<Leg>,
+    pub(super) here: Place,
+    pub(super) legs: Vec<Leg>,
     /// Something waits for a restart.
     restarts: bool,
 }
@@ -92,7 +96,7 @@ impl Plot<'_, '_> {
         Ok(())
     }
 
-    fn readdress(&mut self, address: u32) -> Result<(), Failure> {
+    pub(super) fn readdress(&mut self, address: u32) -> Result<(), Failure> {
         let last = match self.here.protocol {
             Protocol::Vabus => Address::LAST,
             Protocol::Sdo(_) => LAST_DRIVE,
@@ -134,11 +138,11 @@ impl Plot<'_, '_> {
         }
     }
 
-    fn row(&self, role: impl AsRef<str>) -> Result<Param, Failure> {
+    pub(super) fn row(&self, role: impl AsRef<str>) -> Result<Param, Failure> {
         self.target.family.role(role).cloned().ok_or_else(unknown_settings)
     }
 
-    async fn stored(&mut self, role: impl AsRef<str>) -> Result<i64, Failure> {
+    pub(super) async fn stored(&mut self, role: impl AsRef<str>) -> Result<i64, Failure> {
         let param = self.row(role)?;
         let (address, family) = (self.target.address, self.target.family.clone());
         let reading = self.target.read_set(self.session, &param, 0).await;

@@ -31,12 +31,76 @@ pub(super) fn behind_another() -> Failure {
 
 pub(super) fn of_the_bus() -> Failure {
     let text = both!(
-        "over the CAN bus itself only the node of a slave (P.900) is changed: rate, channels and the master concern everybody on it",
-        "über den CAN-Bus selbst wird nur der Knoten eines Slaves (P.900) umgestellt: Bitrate, Kanäle und Master betreffen alle daran"
+        "over the CAN bus itself the master is not moved: that concerns everybody on it",
+        "über den CAN-Bus selbst wird der Master nicht umgestellt: das betrifft alle daran"
     );
     Failure::new(Class::Forbidden, "forbidden.own_line", text).hint(both!(
         "write it over the serial plug of the drive",
         "über den seriellen Anschluss des Umrichters schreiben"
+    ))
+}
+
+/// What is wished for is no setting of this line.
+pub(super) fn other_line(is_on_bus: bool) -> Failure {
+    let (message, hint) = match is_on_bus {
+        true => (
+            both!(
+                "a CAN bus has no parity, and its protocols are sdo and sdo1",
+                "ein CAN-Bus hat keine Parität, und seine Protokolle sind sdo und sdo1"
+            ),
+            both!(
+                "over the serial plug of the drive its line there is set",
+                "die Leitung am seriellen Anschluss wird über diesen eingestellt"
+            ),
+        ),
+        false => (
+            both!("sdo and sdo1 are protocols of a CAN bus", "sdo und sdo1 sind Protokolle eines CAN-Busses"),
+            both!(
+                "from here `antrieb write 923=1` switches SDO2 on, and 923=0 off",
+                "von hier schaltet `antrieb write 923=1` SDO2 ein und 923=0 aus"
+            ),
+        ),
+    };
+    Failure::new(Class::Data, "data.other_line", message).hint(hint)
+}
+
+/// Another rate would leave others behind.
+pub(super) fn not_alone(others: &str) -> Failure {
+    let message = both!(
+        "others are on this bus ({others}): a drive at another bit rate destroys what they say, and they what it says; nothing was written",
+        "am Bus sind noch andere ({others}): ein Umrichter mit anderer Bitrate zerstört, was sie sagen, und sie, was er sagt; es wurde \
+         nichts geschrieben"
+    );
+    Failure::new(Class::Forbidden, "forbidden.others_on_bus", message).hint(both!(
+        "change the rate with the drive alone behind the adapter, or over its serial plug, and switch all drives on again together",
+        "die Bitrate ändern, solange der Umrichter allein am Adapter ist, oder über seinen seriellen Anschluss; danach alle gemeinsam neu \
+         einschalten"
+    ))
+}
+
+/// The bit rate of an interface is set by its kernel.
+pub(super) fn fixed_rate(port: &str) -> Failure {
+    let name = port.trim_start_matches("can:");
+    let message = both!(
+        "the bit rate of {port} is set by the kernel: this program cannot follow the drive to another one; nothing was written",
+        "die Bitrate von {port} stellt der Kernel ein: dieses Programm kann dem Umrichter nicht folgen; es wurde nichts geschrieben"
+    );
+    Failure::new(Class::Forbidden, "forbidden.fixed_line", message).hint(both!(
+        "over its serial plug `antrieb write 903=CODE`; then as root `ip link set {name} down` and `ip link set {name} up type can bitrate …`",
+        "über seinen seriellen Anschluss `antrieb write 903=CODE`; danach als root `ip link set {name} down` und `ip link set {name} up type \
+         can bitrate …`"
+    ))
+}
+
+/// Without the channel for tools the drive could not be reached.
+pub(super) fn no_other_channel() -> Failure {
+    let message = both!(
+        "nobody answers over SDO1, so that without SDO2 the drive would be out of reach; nothing was written",
+        "über SDO1 antwortet niemand, ohne SDO2 wäre der Umrichter also nicht mehr erreichbar; es wurde nichts geschrieben"
+    );
+    Failure::new(Class::Forbidden, "forbidden.own_line", message).hint(both!(
+        "SDO1 has other identifiers (P.921, P.922), or belongs to a master; over the serial plug P.923 can be written",
+        "SDO1 hat andere Identifier (P.921, P.922) oder gehört einem Master; über den seriellen Anschluss lässt sich P.923 schreiben"
     ))
 }
 

@@ -5,6 +5,7 @@ use crate::drive::access::AccessError;
 use crate::drive::can;
 use crate::drive::open_line::OpenLine;
 use crate::protocol::Protocol;
+use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Framing;
 use crate::tick::{Span, Tick};
 use std::pin::pin;
@@ -52,6 +53,22 @@ impl<'a> Session<'a> {
             }
         }
         Ok(None)
+    }
+
+    /// Other speed, format or protocol from now on; on a CAN bus another channel or bit rate.
+    pub async fn retune(&mut self, protocol: Protocol, line: LineSetting) -> Result<(), AccessError> {
+        let (heard, interrupt) = (self.heard.clone().unwrap_or_default(), self.interrupt.clone());
+        let retune = async |on: &mut OpenLine<'a>| {
+            let Protocol::Sdo(channel) = protocol else {
+                on.link.set_line(line).await?;
+                on.master.retune(protocol, line, on.link.now());
+                return Ok(());
+            };
+            let rate = (on.master.line() != line).then_some(line.baud);
+            on.master.retune(protocol, line, on.link.now());
+            can::retune(&mut on.link, channel, rate, &heard, &interrupt).await
+        };
+        self.on_line(retune).await
     }
 
     /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what

@@ -34,6 +34,13 @@ impl<'a> Session<'a> {
         Ok(flags.filter(|flags| flags & Word::ERRORS != 0))
     }
 
+    /// Fault keys that a station told by itself since the bus was opened, 0 for one that was acknowledged.
+    pub fn emergencies(&self, station: u8) -> Vec<u16> {
+        let traffic = self.traffic().unwrap_or_default();
+        let own = traffic.emergencies.iter().filter(|row| row.0 == station);
+        own.map(|(_, told)| told.fault).collect()
+    }
+
     /// Tells nodes something as master of the network. Nobody answers that.
     pub(in crate::drive) async fn order(&mut self, order: Order) -> Result<(), AccessError> {
         let order = async |line: &mut OpenLine<'a>| line.say(&order.telegram()).await;

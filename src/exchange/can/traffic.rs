@@ -1,5 +1,6 @@
 //! What is heard on a bus: who asks there, whether there is a master, and which nodes show themselves.
 
+use crate::protocol::can::emergency::Emergency;
 use crate::protocol::can::{Frame, Identifier, SdoChannel, Service, station};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,8 +13,13 @@ pub struct Traffic {
     pub has_master: bool,
     /// Stations of nodes, and what of them was heard.
     pub nodes: BTreeMap<u8, BTreeSet<Sign>>,
+    /// What nodes told of faults, the first that were heard, with their stations.
+    pub emergencies: Vec<(u8, Emergency)>,
     asks: [bool; 2],
 }
+
+/// Emergencies that are kept.
+const MOST: usize = 64;
 
 /// What was heard of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,7 +44,11 @@ impl Traffic {
             Service::SdoRequest(SdoChannel::One, _) => self.asks[0] = true,
             Service::SdoRequest(SdoChannel::Two, _) => self.asks[1] = true,
             Service::BootUp(node) => self.shows(node, Sign::BootUp),
-            Service::Emergency(node) => self.shows(node, Sign::Emergency),
+            Service::Emergency(node) => {
+                self.shows(node, Sign::Emergency);
+                let told = Emergency::decode(frame.bytes()).filter(|_| self.emergencies.len() < MOST);
+                self.emergencies.extend(told.map(|told| (station(node), told)));
+            }
             Service::SdoReply(_, node) => self.shows(node, Sign::Answer),
             Service::TxPdo(_, node) => self.shows(node, Sign::Pdo),
             _ => {}

@@ -136,6 +136,11 @@ impl Speech for Sdo {
         duration(line.baud, 8).times(frames)
     }
 
+    /// An adapter keeps frames until the bus takes them.
+    fn queues(&self) -> bool {
+        true
+    }
+
     /// The bus itself parts frames.
     fn gap(&self, _: LineSetting, _: Span) -> Span {
         Span::ZERO

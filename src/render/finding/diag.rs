@@ -83,6 +83,12 @@ impl Page {
         }
         rows.extend(self.missing(&report.missing));
         rows.extend(report.warnings.iter().flat_map(|word| self.warnings(word)));
+        rows.extend(report.inputs.iter().map(|word| ("inputs", self.each_bit(word))));
+        if let Some(bus) = &report.bus {
+            let known = bus.values.iter().filter(|value| value.error.is_none());
+            rows.extend(known.map(|value| ("system bus", format!("{} {}", self.say(&value.name), self.short(value)))));
+            rows.extend(bus.emergencies.iter().map(|told| ("emergency", self.say(told))));
+        }
         if let Some(register) = report.error_register.as_ref().filter(|register| self.full || register.code != 0) {
             let hint = register.hint.as_ref().filter(|_| register.code != 0);
             let hint = hint.map_or_else(String::new, |hint| format!(": {}", self.say(hint)));
@@ -133,6 +139,13 @@ impl Page {
             none if none.is_empty() => text,
             leds => text + "\n" + &leds,
         }
+    }
+
+    /// Every bit with its state: `S1IND 1, S2IND 0`.
+    fn each_bit(self, word: &Word) -> String {
+        let named = word.bits.iter().map(|bit| format!("{} {}", self.bit(bit), u8::from(bit.set)));
+        let unknown = word.unknown.iter().map(|bit| format!("bit {bit} 1"));
+        named.chain(unknown).collect::<Vec<_>>().join(", ")
     }
 
     /// The warnings that are set by their names; on a full page each with what it means.

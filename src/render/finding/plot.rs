@@ -18,7 +18,8 @@ impl Finding for Plot {
             .gaps
             .iter()
             .map(|gap| vec![number(gap.from), page.word("gap").to_owned(), format!("{} s", number(gap.to - gap.from))]);
-        text += &page.table(&[">t [s]", "", ""], marks.chain(gaps).collect());
+        let across = if self.across == "V" { ">input [V]" } else { ">t [s]" };
+        text += &page.table(&[across, "", ""], marks.chain(gaps).collect());
         if let Some(responses) = &self.responses {
             text += "\n";
             text += &page.measures(self);
@@ -97,7 +98,7 @@ impl Page {
         let numbers = [low, (low + high) / 2.0, high].map(number);
         let x = Axis::default()
             .bounds([plot.from, plot.to])
-            .labels([plot.from, plot.to].map(|t| format!("{} s", number(t))));
+            .labels([plot.from, plot.to].map(|t| format!("{} {}", number(t), plot.across)));
         let y = Axis::default().bounds([low, high]).labels(numbers);
         let area = Rect::new(0, 0, self.width.unwrap_or(WIDTH).clamp(40, 200), HEIGHT);
         let mut buffer = Buffer::empty(area);

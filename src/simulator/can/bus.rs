@@ -191,7 +191,7 @@ impl Can {
             Service::Nmt => self.judge_order(frame, has_master),
             _ => self.remark(&format!("{frame}: nothing but SDO and NMT is anybody's but the drives'")),
         }
-        if !self.fits() {
+        if !self.fits() && !self.is_mixed() {
             self.remark("the adapter disturbs the bus: it sends at another bit rate");
         }
         if matches!(frame.body, Body::Remote(_)) {
@@ -306,13 +306,29 @@ impl Can {
         let first =
             (0..self.waiting.len()).min_by_key(|place| self.waiting.get(*place).map(|(_, frame)| frame.identifier));
         let Some((sender, frame)) = first.map(|place| self.waiting.remove(place)) else { return };
-        let ends = self.now + duration(self.rate, frame.bytes().len() as u64);
+        let ends = self.now + duration(self.common_rate(), frame.bytes().len() as u64);
         self.running = Some((ends, sender, frame));
+    }
+
+    /// Bits per second of everybody who takes part, the adapter apart.
+    fn rates(&self) -> impl Iterator<Item = u32> {
+        let nodes = self.nodes.iter().filter(|node| node.takes_part()).map(|node| node.rate(self.rate));
+        nodes.chain(self.foreign.iter().map(|_| self.rate))
+    }
+
+    /// The rate of the bus as it is now: drives may have been set to another one.
+    fn common_rate(&self) -> u32 {
+        self.rates().next().unwrap_or(self.rate)
+    }
+
+    /// Whether two rates are on the bus, so that everybody destroys what the others say.
+    fn is_mixed(&self) -> bool {
+        self.rates().any(|rate| rate != self.common_rate())
     }
 
     /// The adapter has the bit rate of the bus.
     fn fits(&self) -> bool {
-        self.adapter.rate == Some(self.rate)
+        self.adapter.rate == Some(self.common_rate()) && !self.is_mixed()
     }
 
     /// Whether somebody else acknowledges what one sends. Who only listens does not.
@@ -336,7 +352,7 @@ impl Can {
         }
         let ended = match sender {
             Sender::Adapter => Ended::Well,
-            _ if disturbs => Ended::Disturbed,
+            _ if disturbs || self.is_mixed() => Ended::Disturbed,
             _ if self.is_acknowledged(sender) => Ended::Well,
             _ => Ended::Alone,
         };
@@ -348,8 +364,10 @@ impl Can {
             Ended::Well => self.everybody_hears(sender, frame),
             Ended::Alone => self.said_in_vain(sender, *frame),
             Ended::Disturbed => {
-                self.adapter.errors.heard(ended);
-                self.remark("the adapter disturbs the bus: it takes part at another bit rate");
+                if disturbs {
+                    self.adapter.errors.heard(ended);
+                    self.remark("the adapter disturbs the bus: it takes part at another bit rate");
+                }
                 self.says_again(sender, *frame);
             }
         }

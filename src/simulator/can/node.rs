@@ -43,6 +43,10 @@ pub(crate) struct Node {
     reply_delay: Span,
     /// Its node, 0 for the master; `None` where it is off the bus.
     pub(crate) id: Option<u8>,
+    /// Its bits per second, if P.903 names any; the rate of the bus otherwise.
+    rate: Option<u32>,
+    /// The identifiers of its SDO1, and whether there is an SDO2: P.921 to P.923 as they hold.
+    channels: [i64; 3],
     pub(crate) state: State,
     /// It initialises until then, and says its boot-up; whether it takes the place that its parameters name.
     booting: Option<(Tick, bool)>,
@@ -68,8 +72,13 @@ pub(crate) struct Node {
 const NODE_ID: u32 = 900;
 const BOOT_UP_DELAY: u32 = 904;
 const SYNC_TIME: u32 = 919;
-const SDO1: [u32; 2] = [921, 922];
-const SDO2_ACTIVE: u32 = 923;
+const BIT_RATE: u32 = 903;
+const CHANNELS: [u32; 3] = [921, 922, 923];
+/// Bit rates with their codes of P.903 (manual 5.4).
+pub(crate) const RATES: [(u32, i64); 6] =
+    [(50_000, 3), (100_000, 4), (125_000, 5), (250_000, 6), (500_000, 7), (1_000_000, 8)];
+/// Its place on the bus, for which it initialises anew where that holds at once (manual 5.4, 5.5).
+const PLACE: [u32; 2] = [NODE_ID, BIT_RATE];
 const NODE_STATE: u32 = 978;
 const CAN_STATE: u32 = 979;
 const FAULT: u32 = 260;
@@ -91,6 +100,8 @@ impl Node {
             readings,
             reply_delay,
             id: None,
+            rate: None,
+            channels: [0; 3],
             state: State::PreOperational,
             booting: None,
             saying: Vec::new(),
@@ -121,6 +132,8 @@ impl Node {
     /// Takes the place that its parameters name.
     fn take_place(&mut self, now: Tick) {
         self.id = u8::try_from(self.value(NODE_ID)).ok();
+        self.rate = RATES.iter().find(|row| row.1 == self.value(BIT_RATE)).map(|row| row.0);
+        self.channels = CHANNELS.map(|number| self.value(number));
         self.turn(now, State::PreOperational);
         self.device.act(now, Action::Set(CAN_STATE, 0, OKAY));
         self.starts = self.is_master().then(|| now + self.delay());
@@ -233,6 +246,11 @@ impl Node {
         self.turn(now, State::PreOperational);
         self.device.act(now, Action::Set(CAN_STATE, 0, OFF));
         self.device.act(now, Action::Fault(Fault { number: BUS_OFF, ..Fault::default() }));
+    }
+
+    /// Bits per second, on a bus that has so many.
+    pub(super) fn rate(&self, bus: u32) -> u32 {
+        self.rate.unwrap_or(bus)
     }
 
     /// Whether its controller acknowledges what others send.
@@ -389,17 +407,16 @@ impl Node {
 
     /// The identifier on which a question under another one is answered.
     fn served(&self, id: u8, identifier: u16) -> Option<u16> {
-        let set = |place: usize, usual: Service| {
-            let number = SDO1.get(place).map_or(0, |number| self.value(*number));
+        let [rx, tx, active] = self.channels;
+        let set = |number: i64, usual: Service| {
             u16::try_from(number).ok().filter(|number| *number != 0).or(usual.identifier())
         };
         let serves_sdo1 = !self.is_master() || self.readings.has(Reading::MasterServesSdo1);
-        if serves_sdo1 && set(0, Service::SdoRequest(SdoChannel::One, id)) == Some(identifier) {
-            return set(1, Service::SdoReply(SdoChannel::One, id));
+        if serves_sdo1 && set(rx, Service::SdoRequest(SdoChannel::One, id)) == Some(identifier) {
+            return set(tx, Service::SdoReply(SdoChannel::One, id));
         }
         let is_second = Service::SdoRequest(SdoChannel::Two, id).identifier() == Some(identifier);
-        let is_active = self.value(SDO2_ACTIVE) == 1;
-        Service::SdoReply(SdoChannel::Two, id).identifier().filter(|_| is_second && is_active)
+        Service::SdoReply(SdoChannel::Two, id).identifier().filter(|_| is_second && active == 1)
     }
 
     fn serve(&mut self, now: Tick, request: Request) -> Option<Reply> {
@@ -436,9 +453,12 @@ impl Node {
         }
         match server::download(&mut *self.device, self.readings, now, of, bits)? {
             Effect::Reset => self.restart(now, RESTART),
-            Effect::None if of.index == NODE_ID as u16 && self.readings.has(Reading::PlaceHoldsAtOnce) => {
-                // The answer still goes out at the old place.
+            // The answer still goes out at the old place.
+            Effect::None if self.readings.has(Reading::PlaceHoldsAtOnce) && PLACE.contains(&of.index.into()) => {
                 self.booting = Some((now + ANEW, true));
+            }
+            Effect::None if self.readings.has(Reading::PlaceHoldsAtOnce) && CHANNELS.contains(&of.index.into()) => {
+                self.channels = CHANNELS.map(|number| self.value(number));
             }
             Effect::None => self.settle_at_once(now),
         }

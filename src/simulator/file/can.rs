@@ -8,7 +8,7 @@ use crate::protocol::can::{Frame, LAST_DRIVE};
 use crate::protocol::line::LineSetting;
 use crate::simulator::can::adapter::Quirks;
 use crate::simulator::can::bus::{Can, Foreign, RATE, Setup};
-use crate::simulator::can::node::Node;
+use crate::simulator::can::node::{Node, RATES};
 use crate::simulator::can::readings::{Reading, Readings};
 use crate::simulator::device::active;
 use crate::simulator::device::contract::NodeSetting;
@@ -63,8 +63,6 @@ struct ForeignTable {
     every: Spanned<String>,
 }
 
-/// Bit rates with their codes of P.903 (EM-RES-03 manual 5.4).
-const RATES: [(u32, i64); 6] = [(50_000, 3), (100_000, 4), (125_000, 5), (250_000, 6), (500_000, 7), (1_000_000, 8)];
 /// Parameters of a place on the bus (manual 7.2).
 const NODE_ID: u32 = 900;
 const BIT_RATE: u32 = 903;

@@ -1,0 +1,139 @@
+//! A drive is moved on the system bus over that bus: its bit rate and its channels. When that holds is in no source (EM-RES-03 manual 5.4,
+//! 5.9.4), so each is tried with drives that take it at once, from power-on, and from a Reset Node.
+
+use crate::run::antrieb;
+use antrieb::simulator::Can;
+use antrieb::transport::witness;
+use serde_json::json;
+
+/// When a place holds, whether the drive has moved then, and what is told.
+const READINGS: [(&str, bool, &str); 3] =
+    [("power-on", false, "stored"), ("at-once", true, "moved"), ("reset-node", false, "stored")];
+
+fn bus(reading: &str, nodes: &[(u8, &str)]) -> String {
+    let row = |(id, set): &(u8, &str)| format!("[[drive]]\nmodel = \"acu\"\naddress = {id}\nset = {{ {set} }}\n");
+    format!("[readings]\nplace = \"{reading}\"\n{}", nodes.iter().map(row).collect::<String>())
+}
+
+fn left() -> Can {
+    witness::left_can().unwrap()
+}
+
+#[test]
+fn a_bit_rate_is_changed_and_followed_whenever_it_holds() {
+    for (reading, moves, result) in READINGS {
+        let typed = "--protocol sdo -a 5 --yes line set --baud 250000";
+        let run = antrieb(typed).on(&bus(reading, &[(5, "")])).json().exits(0);
+        let now = if moves { 250_000 } else { 500_000 };
+        assert_eq!([run.data("/now/baud"), run.data("/result")], [&json!(now), &json!(result)], "{reading}");
+        let back = run.data("/way_back").as_str().unwrap();
+        assert!(back.ends_with(&format!("-b {now} -a 5 line set --baud 500000")), "{back}");
+        let bus = left();
+        assert_eq!(bus.eeprom(5, 903, 0), Some(6), "{reading}");
+        assert!(bus.remarks().is_empty() && !bus.is_open(), "{reading}: {:?}", bus.remarks());
+    }
+}
+
+/// Two rates on one bus, and nobody understands anybody.
+#[test]
+fn a_bit_rate_is_not_changed_beside_others() {
+    for (others, named) in [((6, ""), "6"), ((0, "\"919\" = 0"), "master"), ((0, "\"919\" = 50"), "master")] {
+        let run = antrieb("--protocol sdo -a 5 --yes line set --baud 250000").on(&bus("at-once", &[(5, ""), others]));
+        let run = run.json().exits(8);
+        assert_eq!(run.error()["code"], "forbidden.others_on_bus");
+        assert!(run.error()["message"].as_str().unwrap().contains(&format!("({named})")), "{}", run.error());
+        let bus = left();
+        assert!(bus.counts()[2] == 0 && bus.remarks().is_empty(), "{:?}", bus.remarks());
+    }
+}
+
+#[test]
+fn the_channel_for_tools_is_switched_off_and_on_over_the_bus() {
+    for (reading, moves, result) in READINGS {
+        let typed = "--protocol sdo -a 5 --yes protocol set sdo1";
+        let run = antrieb(typed).on(&bus(reading, &[(5, ""), (6, "")])).json().exits(0);
+        let now = if moves { "sdo1" } else { "sdo" };
+        assert_eq!([run.data("/now/protocol"), run.data("/result")], [&json!(now), &json!(result)], "{reading}");
+        let back = run.data("/way_back").as_str().unwrap();
+        assert!(back.contains(&format!("--protocol {now} ")) && back.ends_with("protocol set sdo"), "{back}");
+        let bus = self::left();
+        assert!(bus.eeprom(5, 923, 0) == Some(0) && bus.remarks().is_empty(), "{:?}", bus.remarks());
+        // And back, over the channel that is left.
+        let typed = "--protocol sdo1 -a 5 --yes protocol set sdo";
+        let run = antrieb(typed).on(&bus(reading, &[(5, "\"923\" = 0")])).json().exits(0);
+        let now = if moves { "sdo" } else { "sdo1" };
+        assert_eq!([run.data("/now/protocol"), run.data("/result")], [&json!(now), &json!(result)], "{reading}");
+        let bus = self::left();
+        assert!(bus.eeprom(5, 923, 0) == Some(1) && bus.remarks().is_empty(), "{:?}", bus.remarks());
+    }
+    let there = antrieb("--protocol sdo1 -a 5 --yes protocol set sdo").on(&bus("at-once", &[(5, "")])).json().exits(0);
+    assert_eq!(*there.data("/result"), json!("unchanged"));
+}
+
+#[test]
+fn a_drive_that_would_be_out_of_reach_keeps_its_channel() {
+    for (nodes, code) in [
+        (vec![(5, "\"921\" = 1700")], "forbidden.own_line"),
+        (vec![(5, ""), (0, "\"919\" = 50")], "forbidden.other_master"),
+    ] {
+        let run = antrieb("--protocol sdo -a 5 --yes protocol set sdo1").on(&bus("at-once", &nodes)).json().exits(8);
+        assert_eq!(run.error()["code"], code);
+        let bus = left();
+        assert!(bus.counts()[2] == 0 && bus.remarks().is_empty(), "{:?}", bus.remarks());
+    }
+}
+
+/// What sets the channel that nobody asks over is a setting like any other.
+#[test]
+fn the_other_channel_is_set_by_write() {
+    for (protocol, what, code) in [
+        ("sdo", "921=1700", 0),
+        ("sdo", "922=1500", 0),
+        ("sdo1", "923=0", 0),
+        ("sdo", "923=0", 8),
+        ("sdo1", "921=1700", 8),
+        ("sdo", "903=6", 8),
+    ] {
+        for (reading, ..) in READINGS {
+            let typed = format!("--protocol {protocol} -a 5 --yes write {what}");
+            let run = antrieb(&typed).on(&bus(reading, &[(5, "")])).json().exits(code);
+            if code == 8 {
+                assert_eq!(run.error()["code"], "forbidden.own_line", "{what}");
+                assert!(run.error()["hint"].as_str().unwrap().contains("antrieb "), "{}", run.error());
+            }
+            // Refused before the line is opened, where the catalogue alone tells.
+            let bus = witness::left_can();
+            assert!(bus.as_ref().is_none_or(|bus| bus.remarks().is_empty()), "{what}");
+            assert!(code == 0 || bus.is_none_or(|bus| bus.counts()[2] == 0), "{what}");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_setting_of_the_line_is_refused() {
+    for typed in [
+        "--protocol sdo -a 5 --yes line set --baud 9600",
+        "--protocol sdo -a 5 --yes line set --parity even",
+        "--protocol sdo -a 5 --yes protocol set rtu",
+    ] {
+        antrieb(typed).on(&bus("at-once", &[(5, "")])).exits(7);
+    }
+    antrieb("-a 5 --yes protocol set sdo1").on("[[drive]]\nmodel = \"acu\"\naddress = 5\n").exits(7);
+    let plan = antrieb("--protocol sdo -a 5 line set --baud 250000 --dry-run").on(&bus("at-once", &[(5, "")]));
+    assert_eq!(*plan.json().exits(0).data("/telegrams/0/hex"), json!("645#2B 87 03 00 06 00 00 00"));
+}
+
+#[test]
+fn the_line_of_a_bus_is_the_place_on_it_and_a_shaft_is_not_commanded_over_it() {
+    let run = antrieb("--protocol sdo -a 5 line show").on(&bus("power-on", &[(5, "")])).json().exits(0);
+    let shown: Vec<_> = run.data("/values").as_array().unwrap().iter().map(|row| row["param"].clone()).collect();
+    assert_eq!(shown, [900, 903, 921, 922, 923]);
+    for verb in ["statemachine enable", "sollwert 5Hz"] {
+        let run = antrieb(&format!("--protocol sdo -a 5 {verb}")).on(&bus("power-on", &[(5, "")])).json().exits(2);
+        assert!(
+            run.error()["hint"].as_str().unwrap().contains("no watchdog of a drive watches SDO"),
+            "{}",
+            run.error()
+        );
+    }
+}
