@@ -2228,12 +2228,16 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__trace)
-            opts="-q -v -h --candump --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            opts="-q -v -h --cfg --candump --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --cfg)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --candump)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0

@@ -2898,6 +2898,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;decode;trace' {
+            [CompletionResult]::new('--cfg', '--cfg', [CompletionResultType]::ParameterName, 'What PROFIBUS carries: basic, ppo1 to ppo5, or hex')
             [CompletionResult]::new('--candump', '--candump', [CompletionResultType]::ParameterName, 'Write the CAN frames of it as a log of candump')
             [CompletionResult]::new('--protocol', '--protocol', [CompletionResultType]::ParameterName, 'rtu, ascii, vabus, sdo, dp, auto [default: rtu]')
             [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05, l200, sj200, x200 [default: auto]')

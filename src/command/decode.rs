@@ -55,6 +55,11 @@ enum What {
     Trace {
         /// The file
         file: PathBuf,
+        /// What PROFIBUS carries: basic, ppo1 to ppo5, or hex
+        ///
+        /// As for `decode telegram`. A recording that says dp is one of PROFIBUS; --protocol dp takes one so that says nothing.
+        #[arg(long, value_name = "CFG")]
+        cfg: Option<Cyclic>,
         /// Write the CAN frames of it as a log of candump
         ///
         /// Written whole, or not at all; --force replaces an old one.
@@ -151,14 +156,17 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
             let cube = cube(context, &family);
             return checked(blank("can", &input), telegram_reader(context.settings, &cube).frames(&input));
         }
-        What::Trace { file, candump } => {
+        What::Trace { file, cfg, candump } => {
             let shown = file.display().to_string();
             let wrong =
                 |why: Text| Failure::new(Class::Data, "data.trace", both!("{shown}: {why}", "{shown}: {why}", why));
             let text = files::read(file, files::RECORDING).map_err(|error| wrong(error.text()))?;
-            let cube = cube(context, &family);
-            let reader = if is_can(&text) { telegram_reader(context.settings, &cube) } else { reader };
-            let telegrams = reader.recording(&text).map_err(wrong)?;
+            let telegrams = match dp::is_recorded(&text, context.settings.profibus || cfg.is_some()) {
+                true => dp::reader(&dp::inverter(context, &family), *cfg).recording(&text),
+                false if is_can(&text) => telegram_reader(context.settings, &cube(context, &family)).recording(&text),
+                false => reader.recording(&text),
+            };
+            let telegrams = telegrams.map_err(wrong)?;
             if let Some(path) = candump {
                 let note = write_log(&text, path, context.settings.force)?;
                 (context.observe)(Event::Note(note));

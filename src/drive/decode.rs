@@ -234,7 +234,11 @@ fn follows(last_us: u64, next_us: u64) -> bool {
 
 /// What the first line of a recording says of its protocol, behind the setting of the line.
 fn recorded_protocol(text: &str) -> Option<Protocol> {
-    text.lines().next()?.strip_prefix('#')?.rsplit(',').next()?.parse().ok()
+    recorded_word(text)?.parse().ok()
+}
+
+fn recorded_word(text: &str) -> Option<&str> {
+    Some(text.lines().next()?.strip_prefix('#')?.rsplit(',').next()?.trim())
 }
 
 pub(super) fn field(bytes: &[u8], name: Text, value: Text) -> Field {

@@ -56,15 +56,15 @@ fn the_channel_for_tools_is_switched_off_and_on_over_the_bus() {
         assert_eq!([run.data("/now/protocol"), run.data("/result")], [&json!(now), &json!(result)], "{reading}");
         let back = run.data("/way_back").as_str().unwrap();
         assert!(back.contains(&format!("--protocol {now} ")) && back.ends_with("protocol set sdo"), "{back}");
-        let bus = self::left();
-        assert!(bus.eeprom(5, 923, 0) == Some(0) && bus.remarks().is_empty(), "{:?}", bus.remarks());
+        let end = left();
+        assert!(end.eeprom(5, 923, 0) == Some(0) && end.remarks().is_empty(), "{:?}", end.remarks());
         // And back, over the channel that is left.
         let typed = "--protocol sdo1 -a 5 --yes protocol set sdo";
         let run = antrieb(typed).on(&bus(reading, &[(5, "\"923\" = 0")])).json().exits(0);
         let now = if moves { "sdo" } else { "sdo1" };
         assert_eq!([run.data("/now/protocol"), run.data("/result")], [&json!(now), &json!(result)], "{reading}");
-        let bus = self::left();
-        assert!(bus.eeprom(5, 923, 0) == Some(1) && bus.remarks().is_empty(), "{:?}", bus.remarks());
+        let end = left();
+        assert!(end.eeprom(5, 923, 0) == Some(1) && end.remarks().is_empty(), "{:?}", end.remarks());
     }
     let there = antrieb("--protocol sdo1 -a 5 --yes protocol set sdo").on(&bus("at-once", &[(5, "")])).json().exits(0);
     assert_eq!(*there.data("/result"), json!("unchanged"));

@@ -246,7 +246,8 @@ fn the_characteristic_of_an_analog_input_is_drawn_in_each_mode() {
     assert_eq!(own.data("/curves").as_array().unwrap().len(), 2);
     let codes: Vec<_> = own.value["warnings"].as_array().unwrap().iter().map(|row| row["code"].clone()).collect();
     assert_eq!(codes, ["plot.factory", "plot.open"]);
-    assert!(own.text_of("x.svg").contains("input [V]"));
+    let drawn = antrieb("plot {dir}/x.toml --svg {dir}/x.svg").file("x.toml", file).exits(0);
+    assert!(drawn.text_of("x.svg").contains("input [V]"));
     let all = plot("1 11 21 101");
     let highest: Vec<_> = all.data("/curves").as_array().unwrap().iter().map(|row| row["min"].clone()).collect();
     assert_eq!(highest, [json!(-50.0), json!(0.0), json!(0.0), json!(0.0)]);

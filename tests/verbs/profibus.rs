@@ -12,6 +12,7 @@ mod looked;
 mod rig;
 mod said;
 mod scanned;
+mod stranger;
 mod watched;
 
 use crate::run::antrieb;

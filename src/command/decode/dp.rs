@@ -9,7 +9,7 @@ use crate::text::{Text, both};
 use clap::Subcommand;
 use std::rc::Rc;
 
-pub(super) use dp::is_spoken;
+pub(super) use dp::{is_recorded, is_spoken};
 
 #[derive(Clone, Debug, Subcommand)]
 pub(super) enum What {

@@ -18,7 +18,9 @@ pub(in crate::command) async fn read(
 ) -> Result<Outcome, Failure> {
     let whom = whom(slave, context)?;
     whom.with_pkw()?;
-    let (address, count) = (whom.address, params(typed, &whom.presumed)?.len());
+    let presumed = params(typed, &whom.presumed)?;
+    let (address, count) = (whom.address, presumed.len());
+    let is_lock = presumed.iter().all(|(param, _)| param.id == profibus::UNLOCKS);
     if context.settings.dry_run {
         let notes = vec![both!(
             "station {address} is taken (Set_Prm, PPO1) and held by the stop word 047E; {count} parameter(s) are asked for by PKW; \
@@ -36,7 +38,7 @@ pub(in crate::command) async fn read(
     let mut haul = profibus::Haul::default();
     let mut exchange = whom.exchange(&mut line, &permit)?;
     let done = async {
-        let family = exchange.family(whom.named.clone(), registry).await?;
+        let family = whom.family(&mut exchange, registry, is_lock).await?;
         for param in params(typed, &family)? {
             exchange.value(&family, &param, &mut haul).await?;
         }

@@ -69,7 +69,8 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
         if let Action::Stop(act) = job.action {
             exchange.stops(act == Relief::DisableVoltage).await?;
         }
-        family = exchange.family(whom.named.clone(), registry).await?;
+        let is_run = matches!(job.action, Action::Run(_));
+        family = whom.family(&mut exchange, registry, !is_run).await?;
         told.parting = Some(exchange.parting(&family).await?);
         told.from = exchange.seen();
         match job.action {
@@ -251,8 +252,9 @@ fn by_profidrive(wanted: Wanted, rights: &Rights, lending: Lending) -> Vec<Text>
     if let Wanted::Hertz(_) = wanted {
         let maxima = rights.maxima.iter().map(|maximum| format_decimal(*maximum, 2)).collect::<Vec<_>>().join(", ");
         details.push(both!(
-            "the setpoint is a part of A004 ({maxima} Hz by its raw value): it is measured at a small setpoint first",
-            "der Sollwert ist ein Teil von A004 (nach dem Rohwert {maxima} Hz): gemessen wird zuerst bei kleinem Sollwert"
+            "the setpoint is a part of {called} ({maxima} Hz by its raw value): it is measured at a small setpoint first",
+            "der Sollwert ist ein Teil von {called} (nach dem Rohwert {maxima} Hz): gemessen wird zuerst bei kleinem Sollwert",
+            called = rights.called
         ));
     }
     details

@@ -4,10 +4,11 @@ use super::addresses;
 use super::given::SlaveArgs;
 use super::spoken::{Choice, Spoken};
 use crate::command::{Context, named_family};
-use crate::drive::profibus::{Exchange, Gsd, Line, Mode, Taking, WATCHDOG, basic_block, described, of_gsd};
+use crate::drive::profibus::{Exchange, Gsd, LOCKED, Line, Mode, Taking, WATCHDOG, basic_block, described, of_gsd};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Motion, Permit, Question};
-use crate::profile::Family;
+use crate::outcome::Event;
+use crate::profile::{Family, Registry};
 use crate::text::{Text, both};
 use crate::tick::Span;
 use std::rc::Rc;
@@ -38,6 +39,23 @@ pub(super) fn whom<'s>(slave: &'s SlaveArgs, context: &Context<'_>) -> Result<Wh
 }
 
 impl Whom<'_> {
+    /// The family of the inverter. Where everything but P.927 is locked nothing tells it, and whoever means nothing else does without.
+    pub(super) async fn family(
+        &self,
+        exchange: &mut Exchange<'_, '_>,
+        registry: &Registry,
+        does_without: bool,
+    ) -> Result<Rc<Family>, Failure> {
+        match exchange.family(self.named.clone(), registry).await {
+            Err(failure) if does_without && failure.code == LOCKED => {
+                let hint = failure.hint.as_deref().cloned().unwrap_or_default();
+                exchange.tell(Event::Note(Text::join([&failure.message, &hint], "; ")));
+                Ok(self.presumed.clone())
+            }
+            told => told,
+        }
+    }
+
     /// Begins to exchange data with it for its parameters, which ProfiDrive mode alone has.
     pub(super) fn exchange<'l, 'a>(
         &self,

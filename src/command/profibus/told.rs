@@ -45,9 +45,12 @@ pub(super) fn report(
         (Some(left), Some(why)) if left.code != why.code => Some(beside(left, &why)),
         (left, done) => left.or(done),
     };
-    if failure.is_none() && is_unproven {
-        failure = Some(coasting(address));
-    }
+    failure = match failure {
+        None if is_unproven => Some(coasting(address)),
+        // Nothing stops a shaft without power, but whoever stands beside it must know.
+        Some(failure) if is_unproven => Some(Failure { alarm: true, ..failure }),
+        failure => failure,
+    };
     if job.is_stop() && seen.is_none() {
         failure = failure.map(kept_back);
     }
@@ -72,7 +75,8 @@ pub(super) fn report(
         changed,
         watchdog_s: None,
         stop: Some(stop),
-        running: seen.map(|_| !is_dark),
+        // What never was started, and was never seen to turn, does not run by what a line that went dead left open.
+        running: seen.map(|_| !is_dark).filter(|running| !running || has_turned || told.run.reached.is_some()),
         standing,
         idle: !has_turned,
         notes: told.parting.into_iter().chain(notes).collect(),

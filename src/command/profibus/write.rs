@@ -6,7 +6,7 @@ use super::spoken::Spoken;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::job::{self, Job, Step};
-use crate::drive::profibus::{Exchange, planned};
+use crate::drive::profibus::{Exchange, UNLOCKS, planned};
 use crate::drive::{Target, summary};
 use crate::failure::{Class, Failure};
 use crate::gate;
@@ -40,6 +40,7 @@ pub(in crate::command) async fn write(
     let whom = whom(slave, context)?;
     whom.with_pkw()?;
     let (_, rows) = steps(wanted, &whom.presumed, whom.address)?;
+    let is_lock = rows.iter().all(|row| row.param == UNLOCKS);
     if context.settings.dry_run {
         return Ok(Outcome::of(Data::Write(Write { dry_run: true, values: rows })));
     }
@@ -50,7 +51,7 @@ pub(in crate::command) async fn write(
     let mut exchange = whom.exchange(&mut line, &permit)?;
     let mut job = None;
     let done = async {
-        let family = exchange.family(whom.named.clone(), registry).await?;
+        let family = whom.family(&mut exchange, registry, is_lock).await?;
         let (steps, rows) = steps(wanted, &family, whom.address)?;
         let job = job.insert(Job { target: Target::new(whom.address, family.clone()), steps, rows });
         for (step, row) in job.steps.iter().zip(&mut job.rows) {

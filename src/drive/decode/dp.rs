@@ -5,7 +5,7 @@ mod services;
 mod words;
 mod wrong;
 
-use super::{InputError, field, hex_bytes, no_telegram};
+use super::{InputError, field, follows, hex_bytes, no_telegram, recorded_protocol, recorded_word};
 use crate::outcome::{Field, Parts, TelegramDoc};
 use crate::profile::Family;
 use crate::protocol::dp::basic::trip_cause;
@@ -15,6 +15,7 @@ use crate::protocol::dp::{Control, Frame, Service, Telegram, frame};
 pub(in crate::drive) use crate::protocol::dp::{EVERYBODY, NAME};
 use crate::protocol::modbus::Hex;
 use crate::text::{Text, Wrong, both};
+use crate::transport::read_trace;
 use std::str::FromStr;
 
 /// The answer to Slave_Diag in words.
@@ -82,7 +83,47 @@ pub fn is_spoken(text: &str) -> bool {
     !bytes.is_empty() && frame::cut(&bytes).into_iter().all(|piece| Telegram::decode(piece).is_ok())
 }
 
+/// Whether a recording is one of PROFIBUS: it says so, or says nothing, and is taken as one.
+pub fn is_recorded(text: &str, is_set: bool) -> bool {
+    recorded_word(text) == Some(NAME) || (is_set && recorded_protocol(text).is_none())
+}
+
+/// Bytes that came without a pause, each with the time that it came at.
+type Heard = Vec<(u64, u8)>;
+
 impl Reader<'_> {
+    /// Takes a recording apart, telegram by telegram.
+    pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, Text> {
+        let (mut docs, mut heard, mut was_sent) = (Vec::new(), Heard::new(), false);
+        for line in read_trace(text)? {
+            let goes_on = heard.last().is_some_and(|(at, _)| !line.sent && !was_sent && follows(*at, line.at_us));
+            if !goes_on {
+                self.pieces(&mut heard, &mut docs);
+            }
+            was_sent = line.sent;
+            heard.extend(line.bytes.into_iter().map(|byte| (line.at_us, byte)));
+        }
+        self.pieces(&mut heard, &mut docs);
+        Ok(docs)
+    }
+
+    /// The telegrams of bytes that came without a pause, each at the time of its last byte.
+    fn pieces(&self, heard: &mut Heard, docs: &mut Vec<TelegramDoc>) {
+        let (times, bytes): (Vec<u64>, Vec<u8>) = std::mem::take(heard).into_iter().unzip();
+        let mut end = 0;
+        for piece in frame::cut(&bytes) {
+            end += piece.len();
+            let mut doc = self.telegram(piece);
+            // A short acknowledgement names nobody: it is of whoever was asked.
+            if doc.check_ok && doc.address.is_none() && doc.direction == Some("reply") {
+                doc.address =
+                    docs.last().filter(|asked| asked.direction == Some("request")).and_then(|asked| asked.address);
+            }
+            doc.at_us = times.get(end - 1).copied();
+            docs.push(doc);
+        }
+    }
+
     /// Takes one telegram or several, one behind the other, apart.
     pub fn typed(&self, text: &str) -> Result<Vec<TelegramDoc>, InputError> {
         let bytes = hex_bytes(text)?;

@@ -5,7 +5,7 @@
 //! in Basic mode a motor that turned before we had it gets none, and one that zero outputs start is stopped again: such a slave is let go under
 //! the stop word, and that is a failure.
 
-use super::exchange::{Exchange, LOST, Lent, RIGHT};
+use super::exchange::{Exchange, LOST, Lent, RIGHT, TO_TERMINALS};
 use super::mode::{Seen, Words};
 use super::trouble;
 use crate::exchange::dp::{Cycle, Place, Request};
@@ -126,18 +126,23 @@ impl Exchange<'_, '_> {
             return Ok(());
         }
         let mut moved: (Option<i32>, Tick) = (None, self.line.now());
+        // What P.614 tells where HIW is 0.
+        let mut told = None;
         loop {
             let Cycle::Inputs(_) = self.cycle().await? else { continue };
             let now = self.line.now();
-            if self.still.is_dark(now) && self.is_off().await? {
-                return Ok(());
+            if self.still.is_dark(now) {
+                told = self.told_frequency().await?;
+                if told.is_none_or(|frequency| frequency == 0) {
+                    return Ok(());
+                }
             }
             let frequency = self.seen.map(|seen| seen.hiw);
             if moved.0 != frequency {
                 moved = (frequency, now);
             } else if now.since(moved.1) > STUCK {
                 if !self.ours || self.still.coasts || self.mode().is_basic() {
-                    return Err(trouble::unproven(self.address(), self.seen));
+                    return Err(trouble::unproven(self.address(), self.seen, told));
                 }
                 self.take_power();
                 moved.1 = now;
@@ -153,10 +158,9 @@ impl Exchange<'_, '_> {
         self.seen.is_some()
     }
 
-    /// Whether P.614 agrees. Where it is refused, HIW alone has told.
-    async fn is_off(&mut self) -> Result<bool, Failure> {
-        let told = self.read(FREQUENCY).await?;
-        Ok(told.is_err() || told.is_ok_and(|frequency| frequency & 0xFFFF == 0))
+    /// What P.614 tells. Where it is refused, HIW alone has told.
+    async fn told_frequency(&mut self) -> Result<Option<u32>, Failure> {
+        Ok(self.read(FREQUENCY).await?.ok().map(|frequency| frequency & 0xFFFF))
     }
 
     /// Changes a parameter for the time of the exchange.
@@ -190,6 +194,11 @@ impl Exchange<'_, '_> {
                 self.notes.push(trouble::right_stays());
                 continue;
             }
+            // Who would start it as soon as he may, may as soon as it is let go.
+            if place.pnu == LOST && u32::from(old) == TO_TERMINALS && self.keeps_right() {
+                self.notes.push(trouble::loss_stays(new));
+                continue;
+            }
             self.set(place, old).await?;
             let starts = place.pnu == RIGHT && self.starts_by_itself().await?;
             if starts {
@@ -198,11 +207,19 @@ impl Exchange<'_, '_> {
                 self.stop().await?;
             }
             self.lent.iter_mut().skip(at).take(1).for_each(|lent| lent.restored = !starts);
+            if place.pnu == LOST {
+                self.behind = Some(old.into());
+            }
         }
         match self.lent.iter().any(|lent| !lent.restored) {
             true => Err(trouble::not_given_back(self.address(), self.behind)),
             false => Ok(()),
         }
+    }
+
+    /// Whether P.928 is not given back.
+    fn keeps_right(&self) -> bool {
+        self.lent.iter().any(|lent| lent.place.pnu == RIGHT && !lent.restored)
     }
 
     /// Whether somebody else starts the motor as soon as he may.

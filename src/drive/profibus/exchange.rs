@@ -32,6 +32,8 @@ pub(super) struct Lent {
 /// Right to control (5.1), and what a lost connection does in both modes (5.2, 5.3).
 pub(super) const RIGHT: u16 = 928;
 pub(super) const LOST: u16 = 703;
+/// P.703: whoever loses its master leaves the motor to terminals and keypad (5.2).
+pub(super) const TO_TERMINALS: u32 = 4;
 /// The slave lets go of us behind this, where nothing else was asked for.
 pub const WATCHDOG: Span = Span::from_secs(2);
 /// One step of the watchdog (IEC 61158-6-3).
@@ -84,6 +86,8 @@ pub struct Exchange<'l, 'a> {
     pub(super) ours: bool,
     /// The end is on its way: no interrupt and no short silence keeps it from going out.
     pub(super) insists: bool,
+    /// Whoever watches is told of every silence.
+    pub(super) watches: bool,
     pub(super) lent: Vec<Lent>,
     /// What is to be known of its end besides.
     pub(super) notes: Vec<Text>,
@@ -127,6 +131,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             driven: false,
             ours: false,
             insists: false,
+            watches: false,
             lent: Vec::new(),
             notes: Vec::new(),
             behind: None,
@@ -218,7 +223,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 true
             }
             // A port that takes no bytes may take them again, and the motor may run on meanwhile.
-            _ if failure.is_unheard() && (self.insists || self.seen.is_some()) => {
+            _ if failure.is_unheard() && (self.insists || (self.seen.is_some() && !self.watches)) => {
                 self.misses(failure);
                 let now = self.line.now();
                 now < self.at_least || now.since(self.heard) < self.unheard
@@ -239,7 +244,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
     pub(super) async fn request(&mut self, mut request: Request) -> Result<Told, Failure> {
         loop {
             self.pkw = request.outputs();
-            let told = match self.cycle().await? {
+            let cycle = self.cycle().await.inspect_err(|_| self.pkw = Pkw::default())?;
+            let told = match cycle {
                 Cycle::Inputs(data) => {
                     let said = self.mode.inputs(&data);
                     said.and_then(|(said, _)| request.inputs(self.line.now(), said))
@@ -297,10 +303,11 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 tokio::select! {
                     biased;
                     came = &mut wait, if waited.is_none() => waited = Some(came),
-                    kept = &mut cycle => {
-                        kept?;
-                        break;
-                    }
+                    kept = &mut cycle => match kept {
+                        // What was waited for is there, and the next cycle tells it again.
+                        Err(why) if waited.is_none() => return Err(why),
+                        _ => break,
+                    },
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Values of an inverter by PKW, and what is to be known before it is let go.
 
-use super::exchange::{Exchange, LOST};
+use super::exchange::{Exchange, LOST, TO_TERMINALS};
 use super::trouble;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
@@ -25,6 +25,8 @@ pub(in crate::drive) const SERIES: Place = Place { pnu: 624, element: None };
 const NAMES: [(u32, &str); 3] = [(0x10, "sj200"), (0x20, "l200"), (0x40, "x200")];
 /// By whose names is spoken where nothing tells.
 const PRESUMED: &str = "l200";
+/// Where it is 0, no other parameter may be accessed (5.1).
+pub const UNLOCKS: u32 = 927;
 /// What decides on the motor once nobody exchanges data: P.703, P.620 (Basic mode; whether it counts here, no source tells), A002, A001
 /// (5.2, 5.3; 5.5 index 89, 88).
 const BEHIND: [u32; 4] = [703, 620, 89, 88];
@@ -41,7 +43,13 @@ impl Exchange<'_, '_> {
         if let Some(family) = named.or_else(presumed) {
             return Ok(family);
         }
-        let series = told?;
+        let series = match told {
+            // Where all others are locked, P.927 is not.
+            Err(failure) if failure.class == Class::Refused && self.is_locked().await? => {
+                return Err(trouble::is_locked(self.address()));
+            }
+            told => told?,
+        };
         series_named(series).and_then(|name| registry.family(name)).ok_or_else(|| {
             let message = both!(
                 "P.624 tells {series:02X}h, which is no series that is known: expected 10h, 20h or 40h",
@@ -50,6 +58,10 @@ impl Exchange<'_, '_> {
             Failure::new(Class::Data, "data.unknown_drive", message)
                 .hint(both!("name it: --drive l200, sj200, x200", "sie nennen: --drive l200, sj200, x200"))
         })
+    }
+
+    async fn is_locked(&mut self) -> Result<bool, Failure> {
+        Ok(self.read(place(UNLOCKS, None)).await?.is_ok_and(|told| told & 0xFF == 0))
     }
 
     /// Reads a parameter, or an element of it, into the haul. Fails only if the exchange is over.
@@ -106,6 +118,7 @@ impl Exchange<'_, '_> {
                 Err(_) => both!("{name} (P.{id}) is not told", "{name} (P.{id}) wird nicht genannt", name),
             });
         }
+        told.extend((self.behind == Some(TO_TERMINALS)).then(trouble::to_terminals));
         let told = Text::join(&told, "; ");
         Ok(both!(
             "the inverter goes on without us by these: {told}",

@@ -39,8 +39,10 @@ pub struct Rights {
     pub right: Option<u32>,
     /// P.703.
     pub lost: Option<u32>,
-    /// Maximum frequencies that the raw value of A004 (or A204) may mean, 0.01 Hz.
+    /// Maximum frequencies that the raw values of those may mean that 4000h may be, 0.01 Hz; and how they are called.
     pub maxima: Vec<i64>,
+    /// A004; in the second set A204 too, because the manual says A004 of both (4.1.2.3).
+    pub called: &'static str,
 }
 
 /// What is changed for the time of a run.
@@ -97,9 +99,15 @@ impl Exchange<'_, '_> {
     pub async fn rights(&mut self) -> Result<Rights, Failure> {
         let second = self.told(SECOND).await? == Some(1);
         let [main, other] = MAXIMA;
-        let raw = self.told(if second { other } else { main }).await?.map_or(0, |raw| i64::from(raw & 0xFFFF));
-        let maxima = UNITS.iter().map(|unit| raw * unit).filter(|maximum| HERTZ.contains(maximum)).collect();
-        Ok(Rights { right: self.told(RIGHT).await?, lost: self.told(LOST).await?, maxima })
+        let (indexes, called) = if second { (&[other, main][..], "A204, A004") } else { (&[main][..], "A004") };
+        let mut maxima = Vec::new();
+        for index in indexes {
+            let raw = self.told(*index).await?.map_or(0, |raw| i64::from(raw & 0xFFFF));
+            let all = UNITS.iter().map(|unit| raw * unit).filter(|maximum| HERTZ.contains(maximum));
+            let new: Vec<i64> = all.filter(|maximum| !maxima.contains(maximum)).collect();
+            maxima.extend(new);
+        }
+        Ok(Rights { right: self.told(RIGHT).await?, lost: self.told(LOST).await?, maxima, called })
     }
 
     /// A value, if it is told.
@@ -138,7 +146,7 @@ impl Exchange<'_, '_> {
             (false, false) => 10_000,
         };
         if value.abs() > most {
-            return Err(trouble::beyond(self.address(), most, is_hertz));
+            return Err(trouble::beyond(self.address(), most, is_hertz, rights.called));
         }
         if lending.stops {
             self.lend(LOST, STOPS).await?;
@@ -152,10 +160,9 @@ impl Exchange<'_, '_> {
             // A word is 0.01 Hz there, and so 4000h is 163.84 Hz.
             (hundredths(value), *run.maximum.insert(FULL))
         } else {
-            let maximum =
-                if is_hertz { self.measured(word, (value, &rights.maxima), wait, run).await? } else { 10_000 };
+            let maximum = if is_hertz { self.measured(word, (value, rights), wait, run).await? } else { 10_000 };
             if value.abs() > maximum {
-                return Err(trouble::beyond(self.address(), maximum, is_hertz));
+                return Err(trouble::beyond(self.address(), maximum, is_hertz, rights.called));
             }
             (part(value, maximum), maximum)
         };
@@ -262,7 +269,7 @@ impl Exchange<'_, '_> {
     async fn measured(
         &mut self,
         word: u16,
-        (value, maxima): (i64, &[i64]),
+        (value, Rights { maxima, called, .. }): (i64, &Rights),
         wait: Span,
         run: &mut Run,
     ) -> Result<i64, Failure> {
@@ -287,7 +294,7 @@ impl Exchange<'_, '_> {
         };
         let found = maxima.iter().find(is_near).copied();
         run.maximum = found;
-        found.ok_or_else(|| trouble::scale(self.address(), hsw, told, maxima))
+        found.ok_or_else(|| trouble::scale(self.address(), (hsw, told), (maxima, called)))
     }
 
     /// A run is proven by who controls, and by the frequency; the bits of the status word say what was commanded.

@@ -11,6 +11,8 @@ const ZEROS: u32 = 3;
 const QUIET: Span = Span::from_millis(100);
 /// A frequency that stays for so long is on no ramp.
 const STEADY: Span = Span::from_millis(500);
+/// So long at most the rest of a ramp rolls on that is told as coasting.
+const ROLLS: Span = Span::from_secs(3);
 
 /// What the frequency has told.
 #[derive(Clone, Copy, Debug, Default)]
@@ -24,6 +26,8 @@ pub(super) struct Still {
     proven: bool,
     /// It turned without power once.
     free: bool,
+    /// The rest of a ramp that came down is told as coasting.
+    rolls: bool,
     /// What a frequency may be where a ramp ends.
     slow: i32,
     /// It was told to coast.
@@ -39,8 +43,8 @@ impl Still {
     /// Takes what came in one cycle.
     pub(super) fn sees(&mut self, now: Tick, seen: Seen) {
         let frequency = seen.hiw.abs();
-        self.free |= seen.is_free();
         if frequency != 0 {
+            self.free |= seen.is_free();
             self.turns(now, frequency);
             return;
         }
@@ -49,10 +53,13 @@ impl Still {
             self.proven = self.last.is_some_and(|(at, last)| last <= self.slow || self.comes_down(last, now.since(at)));
         }
         self.zeros = self.zeros.saturating_add(1);
+        // The inverter says so itself, and says when it is over; a trip says nothing of the kind.
+        self.rolls = self.proven && seen.is_free() && !seen.is_faulted();
+        self.free |= seen.is_free() && !self.rolls;
     }
 
     fn turns(&mut self, now: Tick, frequency: i32) {
-        (self.zeros, self.proven) = (0, false);
+        (self.zeros, self.proven, self.rolls) = (0, false, false);
         match self.last {
             Some((_, last)) if last == frequency => return,
             Some((at, last)) if last > frequency => self.fall = Some((last - frequency, now.since(at))),
@@ -70,16 +77,17 @@ impl Still {
         i64::from(fall).saturating_mul(micros(elapsed)) >= i64::from(last - self.slow).saturating_mul(micros(took))
     }
 
-    /// Whether the output is off.
+    /// Whether the output is off, and nothing more is to be waited for.
     pub(super) fn is_dark(&self, now: Tick) -> bool {
-        self.zeros >= ZEROS && now.since(self.since) >= QUIET
+        let quiet = if self.rolls { ROLLS } else { QUIET };
+        self.zeros >= ZEROS && now.since(self.since) >= quiet
     }
 
     /// What is known of the shaft: it stands, it is driven, or nothing tells.
     pub(super) fn standing(&self) -> Option<bool> {
         match self.zeros {
             0 => self.last.map(|_| false),
-            _ => (self.proven && !self.free && !self.coasts).then_some(true),
+            _ => (self.proven && !self.rolls && !self.free && !self.coasts).then_some(true),
         }
     }
 
@@ -128,6 +136,39 @@ mod tests {
         frequencies.extend([5_000; 40]);
         frequencies.push(0);
         assert_eq!(told(&frequencies, usize::MAX).standing(), None);
+    }
+
+    /// Of the Basic block: frequencies, 0.01 Hz, and states, every 25 ms.
+    fn told_basic(rows: &[(i32, u16)]) -> Still {
+        let mut still = Still::new(60);
+        for (place, (hiw, state)) in rows.iter().enumerate() {
+            let at = Tick::ZERO + Span::from_millis(25 * place as u64);
+            still.sees(at, Seen { zsw: 0x0050, hiw: *hiw, state: Some(*state) });
+        }
+        still
+    }
+
+    /// 3.2.3: 1 is running, 3 coasting, 0 stop.
+    #[test]
+    fn the_rest_of_a_ramp_that_is_told_as_coasting_ends_with_the_stop() {
+        let ramp = [(1_115, 1), (874, 1), (702, 1), (508, 1), (259, 1), (87, 1)];
+        let at = |rows: usize| Tick::ZERO + Span::from_millis(25 * (rows as u64 - 1));
+        for (behind, standing, is_dark) in [
+            (&[(0, 3), (0, 3), (0, 0), (0, 0), (0, 0), (0, 0)][..], Some(true), true),
+            // It rolls on.
+            (&[(0, 3), (0, 3), (0, 3), (0, 3), (0, 3), (0, 3)], None, false),
+            // A trip is no end of a ramp.
+            (&[(0, 10), (0, 0), (0, 0), (0, 0), (0, 0)], None, true),
+        ] {
+            let rows = [&ramp[..], behind].concat();
+            let still = told_basic(&rows);
+            assert_eq!((still.standing(), still.is_dark(at(rows.len()))), (standing, is_dark), "{behind:?}");
+        }
+        // Let go at speed: the stop that comes afterwards proves nothing.
+        let free = [(2_000, 1), (1_990, 1), (0, 3), (0, 3), (0, 0), (0, 0), (0, 0), (0, 0)];
+        assert_eq!(told_basic(&free).standing(), None);
+        let still = told_basic(&[&ramp[..], &[(0, 3)].repeat(200)[..]].concat());
+        assert!(still.is_dark(at(206)) && still.standing().is_none(), "it is not waited for without an end");
     }
 
     #[test]

@@ -101,7 +101,22 @@ pub(in crate::drive) fn refused(address: u8, pwe: Option<u32>) -> Failure {
 }
 
 fn locked() -> Text {
-    both!("P.927 = 0 locks the channel", "P.927 = 0 sperrt den Kanal")
+    both!(
+        "P.927 = 0 locks every other parameter: `antrieb --protocol dp write 927=1` opens them",
+        "P.927 = 0 sperrt alle anderen Parameter: `antrieb --protocol dp write 927=1` öffnet sie"
+    )
+}
+
+/// The code of a slave whose parameters are locked.
+pub const LOCKED: &str = "refused.locked";
+
+/// Parameters are locked (5.1).
+pub(super) fn is_locked(address: u8) -> Failure {
+    let message = both!(
+        "station {address} tells no parameter but P.927, which is 0",
+        "Station {address} nennt keinen Parameter außer P.927, und der ist 0"
+    );
+    Failure::new(Class::Refused, LOCKED, message).with("address", address).hint(locked())
 }
 
 /// What came of a request over PKW.
@@ -160,8 +175,11 @@ pub(super) fn differs(address: u8, place: Place, bits: u32) -> Failure {
 pub const NOT_STILL: &str = "forbidden.not_still";
 
 /// The motor was not seen standing.
-pub(super) fn unproven(address: u8, seen: Option<Seen>) -> Failure {
+pub(super) fn unproven(address: u8, seen: Option<Seen>, told: Option<u32>) -> Failure {
     let told = match seen {
+        _ if told.is_some_and(|told| told != 0) => {
+            format!("{} Hz (P.614)", format_decimal(told.unwrap_or_default().into(), 2))
+        }
         Some(Seen { hiw, state: Some(_), .. }) => format!("{} Hz", format_decimal(hiw.into(), 2)),
         seen => format!("{:04X}h (HIW)", seen.map_or(0, |seen| seen.hiw & 0xFFFF)),
     };
@@ -265,4 +283,23 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure 
         ),
     };
     Failure::new(class, code, message).with("address", address).hint(hint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn p614_is_named_where_it_alone_shows_a_frequency() {
+        let seen = |hiw, state| Some(Seen { zsw: 0, hiw, state });
+        for (seen, told, named) in [
+            (seen(0, None), Some(500), "stays at 5.00 Hz (P.614)"),
+            (seen(0x2000, None), Some(0), "stays at 2000h (HIW)"),
+            (seen(0x2000, None), None, "stays at 2000h (HIW)"),
+            (seen(2_000, Some(1)), None, "stays at 20.00 Hz:"),
+        ] {
+            let message = unproven(3, seen, told).message;
+            assert!(message.en.contains(named), "{message:?}");
+        }
+    }
 }

@@ -56,7 +56,11 @@ impl Exchange<'_, '_> {
         let waited_for = chosen.waited_for.clone();
         let mut station = Station::new(Place { address: self.address(), called: None }, Vec::new());
         station.is(Target::new(self.address(), family.clone()), chosen);
-        watch::watch_stations(self, terms, rounds, vec![station], (&waited_for, &|_| Ok(Chosen::default()))).await
+        self.watches = true;
+        let choose = |_: &_| Ok(Chosen::default());
+        let outcome = watch::watch_stations(self, terms, rounds, vec![station], (&waited_for, &choose)).await;
+        self.watches = false;
+        outcome
     }
 
     /// What is watched, as the words of a cycle tell it.

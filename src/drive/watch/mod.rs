@@ -107,7 +107,7 @@ pub(in crate::drive) async fn watch_stations(
     watch.tally.t = watch.seconds(session.now());
     let interval = watch.rounds.when.interval();
     watch.pace.tell(&mut watch.tally, interval);
-    watch.warnings.extend(watch.pace.warning(interval));
+    watch.warnings.extend(watch.pace.warning(interval, watch.tally.gaps));
     watch.outcome(stations)
 }
 

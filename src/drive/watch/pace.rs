@@ -44,15 +44,26 @@ impl Pace {
     }
 
     /// Rounds came clearly slower than they were asked for: 5 % and more is no hiccup.
-    pub(super) fn warning(&self, interval: Option<Span>) -> Option<Warning> {
+    pub(super) fn warning(&self, interval: Option<Span>, gaps: u64) -> Option<Warning> {
         let (wanted, kept) = interval.filter(|wanted| *wanted > Span::ZERO).zip(self.mean())?;
         let is_slow = kept.times(20) > wanted.times(21);
         let kept = Span::from_millis(kept.as_millis());
+        let why = match gaps {
+            0 => both!(
+                "because the line takes so long for what is asked",
+                "weil die Leitung für das Gefragte so lange braucht"
+            ),
+            gaps => both!(
+                "and {gaps} of the samples are gaps: who does not answer is waited for",
+                "und {gaps} der Werte sind Lücken: wer nicht antwortet, auf den wird gewartet"
+            ),
+        };
         is_slow.then(|| Warning {
             code: "monitor.interval".to_owned(),
             message: both!(
-                "the interval of {wanted} was not kept: a round came every {kept} on average, because the line takes so long for what is asked",
-                "der Abstand von {wanted} wurde nicht eingehalten: im Mittel kam alle {kept} eine Runde, weil die Leitung für das Gefragte so lange braucht"
+                "the interval of {wanted} was not kept: a round came every {kept} on average, {why}",
+                "der Abstand von {wanted} wurde nicht eingehalten: im Mittel kam alle {kept} eine Runde, {why}",
+                why
             ),
         })
     }

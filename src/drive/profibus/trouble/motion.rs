@@ -15,16 +15,16 @@ fn refused(code: &'static str, address: u8, message: Text) -> Failure {
 }
 
 /// A setpoint that is higher than what 4000h is.
-pub(in crate::drive::profibus) fn beyond(address: u8, most: i64, is_hertz: bool) -> Failure {
+pub(in crate::drive::profibus) fn beyond(address: u8, most: i64, is_hertz: bool, called: &str) -> Failure {
     let most = format_decimal(most, 2);
     let message = match is_hertz {
         true => both!(
-            "station {address}: the setpoint is above {most} Hz, the maximum frequency (A004)",
-            "Station {address}: der Sollwert liegt über {most} Hz, der Maximalfrequenz (A004)"
+            "station {address}: the setpoint is above {most} Hz, the maximum frequency ({called})",
+            "Station {address}: der Sollwert liegt über {most} Hz, der Maximalfrequenz ({called})"
         ),
         false => both!(
-            "station {address}: the setpoint is above {most} %: 100 % is the maximum frequency (A004)",
-            "Station {address}: der Sollwert liegt über {most} %: 100 % sind die Maximalfrequenz (A004)"
+            "station {address}: the setpoint is above {most} %: 100 % is the maximum frequency ({called})",
+            "Station {address}: der Sollwert liegt über {most} %: 100 % sind die Maximalfrequenz ({called})"
         ),
     };
     Failure::new(Class::Data, "data.range", message).with("address", address)
@@ -76,7 +76,7 @@ fn reset(address: u8) -> Text {
 /// The word that prepares is not obeyed.
 pub(in crate::drive::profibus) fn not_ready(address: u8, seen: Seen, is_still: bool) -> Failure {
     if !is_still {
-        return unproven(address, Some(seen));
+        return unproven(address, Some(seen), None);
     }
     let (named, word) = (seen.named(), if seen.state.is_some() { "0050h" } else { "0406h" });
     let message = both!(
@@ -173,13 +173,17 @@ pub(in crate::drive::profibus) fn left(address: u8) -> Failure {
 }
 
 /// What a setpoint means is not what the inverter says that it means.
-pub(in crate::drive::profibus) fn scale(address: u8, hsw: u16, told: i64, maxima: &[i64]) -> Failure {
+pub(in crate::drive::profibus) fn scale(
+    address: u8,
+    (hsw, told): (u16, i64),
+    (maxima, called): (&[i64], &str),
+) -> Failure {
     let (told, hertz) = (format_decimal(told, 2), |maximum: &i64| format_decimal(*maximum, 2));
     let maxima = maxima.iter().map(hertz).collect::<Vec<_>>().join(", ");
     let maxima = if maxima.is_empty() { "?".to_owned() } else { maxima };
     let message = both!(
-        "station {address}: {hsw:04X}h is {told} Hz (P.611), which fits no maximum frequency that A004 may mean ({maxima} Hz)",
-        "Station {address}: {hsw:04X}h sind {told} Hz (P.611); das passt zu keiner Maximalfrequenz, die A004 bedeuten kann ({maxima} \
+        "station {address}: {hsw:04X}h is {told} Hz (P.611), which fits no maximum frequency that {called} may mean ({maxima} Hz)",
+        "Station {address}: {hsw:04X}h sind {told} Hz (P.611); das passt zu keiner Maximalfrequenz, die {called} bedeuten kann ({maxima} \
          Hz)"
     );
     forbidden("forbidden.scale", address, message).hint(both!(
@@ -225,6 +229,22 @@ pub(in crate::drive::profibus) fn right_stays() -> Text {
     )
 }
 
+/// What a lost master does is not given back.
+pub(in crate::drive::profibus) fn loss_stays(new: u16) -> Text {
+    both!(
+        "P.703 stays {new}: with 4 the terminals, which would start the motor, may have it as soon as it is let go",
+        "P.703 bleibt {new}: mit 4 bekämen ihn, sobald er freigegeben ist, vielleicht die Klemmen, die ihn starten würden"
+    )
+}
+
+/// The terminals may have the motor as soon as it is let go.
+pub(in crate::drive::profibus) fn to_terminals() -> Text {
+    both!(
+        "P.703 = 4: once it is let go, a closed start contact may start the motor at once",
+        "P.703 = 4: sobald er freigegeben ist, startet ein geschlossener Startkontakt den Motor vielleicht sofort"
+    )
+}
+
 /// Control was given back, and taken again.
 pub(in crate::drive::profibus) fn right_again() -> Text {
     both!(
@@ -246,13 +266,12 @@ pub(in crate::drive::profibus) fn not_given_back(address: u8, lost: Option<u32>)
             "P.703 = 4: sobald niemand mehr Daten mit ihr austauscht, können die Klemmen den Motor starten; den Startkontakt öffnen"
         ),
         _ => both!(
-            "open the start contact, then `antrieb --protocol dp write 928=0`",
-            "den Startkontakt öffnen, dann `antrieb --protocol dp write 928=0`"
+            "whether it stays at rest without a master no source tells: open the start contact, then `antrieb --protocol dp write 928=0`",
+            "ob sie ohne Master stehen bleibt, sagt keine Quelle: den Startkontakt öffnen, dann `antrieb --protocol dp write 928=0`"
         ),
     };
-    let is_alarm = lost == Some(4);
     let failure = Failure::new(Class::Partial, "partial.not_given_back", message).with("address", address).hint(hint);
-    Failure { alarm: is_alarm, ..failure }
+    Failure { alarm: true, ..failure }
 }
 
 /// What a motor does whose slave lost us, by P.703 (5.2).
