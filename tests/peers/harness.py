@@ -58,6 +58,10 @@ def group(name):
 # Comparisons ------------------------------------------------------------------------------------------------------
 
 
+class LeftOut(Exception):
+    """What a case needs is not to be had on this machine: it tells nothing, for or against."""
+
+
 class Failed(Exception):
     """Something else came than was expected."""
 

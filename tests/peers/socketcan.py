@@ -14,14 +14,14 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from harness import BINARY, TARGET, Done, Failed, expect, expect_in, expect_text, group
+from harness import BINARY, TARGET, Done, Failed, LeftOut, expect, expect_in, expect_text, group
 
 KERNEL = TARGET / "peers/kernel"
 QEMU = "qemu-system-x86_64"
 TOOLS = ("busybox", "ip", "candump", "cansend", "slcand")
 # In the order in which they need each other.
 MODULES = ("can", "can-raw", "can-dev", "vcan", "slcan")
-# What the machine may take until the guest is over; it needs ten seconds on a quiet one.
+# What the machine may take until the guest is over; it needs ten seconds on a quiet one. A step that hangs is ended in the guest, and fails.
 PATIENCE_S = 140
 
 # What runs in the guest, one after the other: a name, and the words of a shell. What goes on beside others ends with the machine.
@@ -71,7 +71,7 @@ cd /tmp; cp /bench.toml .
 {steps}
 poweroff -f
 """
-STEP = """sh -c '{words}' >/out 2>/err; code=$?
+STEP = """timeout 60 sh -c '{words}' >/out 2>/err; code=$?
 (echo "@@ {name}"; cat /out; echo "@@ err"; cat /err; echo "@@ code $code") >/dev/ttyS1
 """
 
@@ -83,11 +83,16 @@ def missing():
     tools = [tool for tool in (QEMU, "cpio", *TOOLS) if not shutil.which(tool)]
     if tools:
         return ", ".join(tools)
-    return None if kernel() else f"a kernel below {KERNEL}"
+    modules = [f"{name}.ko" for name in MODULES if not module(name)]
+    return None if kernel() and not modules else f"a kernel below {KERNEL}, with {', '.join(modules) or 'its image'}"
 
 
 def kernel():
     return next(iter(sorted(KERNEL.glob("boot/vmlinuz-*"))), None)
+
+
+def module(name):
+    return next(KERNEL.glob(f"**/{name}.ko"), None)
 
 
 def libraries(program):
@@ -107,8 +112,8 @@ def machine(root):
             (root / library[1:]).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(library, root / library[1:])
     shutil.move(root / "bin" / BINARY.name, root / "bin/antrieb") if BINARY.name != "antrieb" else None
-    for module in MODULES:
-        shutil.copy(next(KERNEL.glob(f"**/{module}.ko")), root / "modules")
+    for name in MODULES:
+        shutil.copy(module(name), root / "modules")
     (root / "bench.toml").write_text(BENCH)
     steps = "".join(STEP.format(name=name, words=words) for name, words in STEPS.items())
     (root / "init").write_text(INIT.format(modules=" ".join(MODULES), talk=" ".join(TALK), steps=steps))
@@ -129,19 +134,23 @@ def told():
         words += ["-append", "console=ttyS0 quiet panic=-1", "-serial", "stdio", "-serial", f"file:{said}"]
         try:
             guest = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, timeout=PATIENCE_S)
-            console = guest.stdout.decode(errors="replace")
+            console, late = guest.stdout.decode(errors="replace"), False
         except subprocess.TimeoutExpired as error:
-            console = f"not over after {PATIENCE_S} s\n{(error.stdout or b'').decode(errors='replace')}"
+            console = (error.stdout or b"").decode(errors="replace")
+            late = True
         text = said.read_text(errors="replace").replace("\r", "") if said.exists() else ""
     steps = re.findall(r"@@ (.*)\n([\s\S]*?)@@ err\n([\s\S]*?)@@ code (\d+)\n", text)
-    return {name: (out, err, int(code)) for name, out, err, code in steps} | {"": (console, "", 0)}
+    return {name: (out, err, int(code)) for name, out, err, code in steps} | {"": (console, "", int(late))}
 
 
 def step(name):
     """How a step of the guest ended."""
     ended = told()
+    console, _, late = ended[""]
+    if name not in ended and late:
+        raise LeftOut(f"this machine is too slow for the guest, which was not over after {PATIENCE_S} s")
     if name not in ended:
-        raise Failed(f"the guest never came to '{name}':\n{ended[''][0][-4000:]}")
+        raise Failed(f"the guest never came to '{name}':\n{console[-4000:]}")
     out, err, code = ended[name]
     return Done(["guest:", STEPS[name]], code, out, err, 0.0)
 
