@@ -2,11 +2,13 @@
 """Exchanges a second over PROFIBUS against what the wire can carry: benches/profibus.py target/release/antrieb
 
 First `monitor --interval 0` on a simulated SJ2-PB (PPO1) in virtual time: the ratio is that of the protocol alone, and the same on every machine.
-Then ours and pyprofibus (tests/peers/requirements.txt; left out where it is not installed) with the same slave on a pseudo terminal, in real time:
-what the machine and the pieces in which a pseudo terminal hands bytes over cost, it costs both.
+Then ours, pyprofibus (tests/peers/requirements.txt) and profirust (benches/beside), where they are to be had, with the same slave on a pseudo
+terminal, in real time: what the machine and the pieces in which a pseudo terminal hands bytes over cost, it costs all. profirust pauses between two
+looks as its documentation recommends for adapters, and once more for 50 us only.
 """
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -26,6 +28,7 @@ BITS = 2 * (12 + 9) * 11 + 33 + 11
 COUNT = 2000
 SECONDS = 5
 IDENT = 0x0BE7
+PROFIRUST = Path(__file__).resolve().parents[1] / "target/beside/release/profirust"
 RATES = [9600, 19200, 93750, 187500, 500000]
 LINE = """
 [line]
@@ -53,6 +56,13 @@ def theirs(baud, port):
     before, begun = drive.exchanges, time.monotonic()
     drive.until("its time", lambda *_: time.monotonic() - begun >= SECONDS)
     return (drive.exchanges - before) / (time.monotonic() - begun)
+
+
+def in_rust(baud, port, environment):
+    """The same with profirust."""
+    words = [PROFIRUST, port, baud, 3, hex(IDENT), SECONDS]
+    done = subprocess.run([*map(str, words)], capture_output=True, text=True, env={**os.environ, **environment})
+    return done.stdout.strip() or done.stderr.strip()
 
 
 @contextmanager
@@ -83,6 +93,9 @@ def main(program):
                     told += [f"pyprofibus {theirs(baud, port):.1f}"] if Drive else []
                 except SystemExit as why:
                     told += [f"pyprofibus: {why}"]
+            for name, environment in [("profirust", {}), ("without its pauses", {"SPIN": "1"})] if PROFIRUST.is_file() else []:
+                with served(program, file, port):
+                    told.append(f"{name} {in_rust(baud, port, environment)}")
             print(f"; on a pseudo terminal: {', '.join(told)}", flush=True)
 
 
