@@ -94,8 +94,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let addresses = addresses_to_write(context.settings)?;
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
-    let (family, planned) =
-        offline(context.settings, context.registry, |family| steps(args, family, terms.own_address()))?;
+    let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family, &terms))?;
     super::on_bus::check(context.settings, &planned)?;
     for note in
         [better_by_line(&planned, &family, terms.own_address()), is_a_stop(&planned, &family)].into_iter().flatten()
@@ -113,7 +112,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             0 => Target::new(0, family.clone()).in_word_order(settings.word_order),
             _ => target_to_change(&mut session, settings, registry, address).await?,
         };
-        let steps = steps(args, &target.family, terms.own_address())?;
+        let steps = steps(args, &target.family, &terms)?;
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
@@ -253,12 +252,13 @@ fn selectors(args: &Args) -> Result<Vec<Selector>, Failure> {
 }
 
 /// Reads the assignments; nothing is sent until all of them make sense.
-fn steps(args: &Args, family: &Family, own: Option<Role>) -> Result<Vec<Step>, Failure> {
+fn steps(args: &Args, family: &Family, terms: &Terms<'_>) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     for (who, what) in assignments(args)? {
-        steps.extend(assigned(args, family, who, what)?);
+        let here = |step: Step| Step { param: terms.on_line(family, &step.param), ..step };
+        steps.extend(assigned(args, family, who, what)?.into_iter().map(here));
     }
-    cutting_last(steps, family, own)
+    cutting_last(steps, family, terms.own_address())
 }
 
 /// One of them: a step for each parameter and data set that it names.

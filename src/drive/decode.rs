@@ -1,6 +1,7 @@
 //! Takes telegrams apart without a line: for `decode`, `-v` and recordings.
 
 mod answered;
+mod block;
 mod can;
 pub mod dp;
 mod modbus;
@@ -14,7 +15,6 @@ use crate::outcome::{Field, TelegramDoc};
 use crate::profile::{Family, Link};
 use crate::protocol::Protocol;
 use crate::protocol::can::Telegram;
-use crate::protocol::dp::pkw::Pkw;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
 use crate::text::{Text, both};
@@ -177,15 +177,6 @@ impl Reader<'_> {
             Protocol::Vabus => self.vabus(bytes),
             Protocol::Sdo(_) => self.sdo(bytes),
             Protocol::Pkw => self.block(bytes),
-        }
-    }
-
-    /// A PKW block of a station, in the telegram of a cycle that carries it.
-    fn block(&self, bytes: &[u8]) -> TelegramDoc {
-        let block = bytes.split_first().and_then(|(station, block)| Some((*station, block.try_into().ok()?)));
-        match (block, self.family) {
-            (Some((station, block)), Some(family)) => super::profibus::asking(station, Pkw::decode(block), family),
-            _ => TelegramDoc::blank(self.protocol.name(), Hex(bytes).to_string(), false),
         }
     }
 

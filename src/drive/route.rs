@@ -226,8 +226,12 @@ impl Route {
     }
 
     /// The bytes of a reply whose value has not the form that its type has over VABus: four or eight upper-case digits
-    /// (sources A2). A check character of eight bits lets such through.
+    /// (sources A2); a check character of eight bits lets such through. Or over SDO announces pieces, which no drive does (EM-RES-03 manual
+    /// 5.10.1): what stands in it is a length.
     pub(super) fn misshapen(self, said: &Said, kind: Type) -> Option<Vec<u8>> {
+        if let Said::Sdo(reply @ sdo::Reply::Upload(_, Initiate::Segmented { .. })) = said {
+            return Some(reply.encode().to_vec());
+        }
         let Said::Vabus(reply @ vabus::Reply::Value { data, .. }) = said else { return None };
         let fits = match kind.bits() {
             Some(32) => data.as_long().is_some(),
@@ -423,6 +427,19 @@ mod tests {
             assert_eq!(route.misshapen(&said, Type::Uint).is_none(), word, "{digits}");
             assert_eq!(route.misshapen(&said, Type::Long).is_none(), long, "{digits}");
             assert!(route.misshapen(&said, Type::String).is_none(), "{digits}");
+        }
+    }
+
+    /// A length is no value.
+    #[test]
+    fn pieces_that_are_announced_over_sdo_are_no_value() {
+        let family = Registry::open(&[]).unwrap().family("acu").unwrap();
+        let route = Route::new(Protocol::Sdo(crate::protocol::can::SdoChannel::Two), &family.link, 1);
+        for (command, is_value) in
+            [(0x40, false), (0x41, false), (0x50, false), (0x42, true), (0x43, true), (0x4B, true)]
+        {
+            let said = Said::Sdo(sdo::Reply::decode([command, 0xE0, 0x01, 0x02, 0xF4, 0x01, 0, 0]));
+            assert_eq!(route.misshapen(&said, Type::Long).is_none(), is_value, "{command:02X}");
         }
     }
 }

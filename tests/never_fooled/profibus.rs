@@ -116,12 +116,16 @@ fn repeats_heal_a_bad_line() {
 fn believed(asked: &Asked, bytes: &[u8]) -> Option<Reply> {
     let (line, mut now) = (LineSetting::rtu(19_200, Parity::Even), Tick::ZERO + Span::from_secs(1));
     let mut fdl = Fdl::new(MASTER, line, Timing::of(line), now);
-    let mut came = Some(bytes);
+    let mut came = None;
     fdl.ask(3, asked.clone(), Some(0), now);
     loop {
         match fdl.step(now) {
             Step::Done(end) => return end.ok(),
-            Step::Send(bytes) => now += line.chars(bytes.len() as u64),
+            Step::Send(question) => {
+                now += line.chars(question.len() as u64);
+                // What came before the question would be none.
+                came = Some(bytes);
+            }
             Step::Wait(until) => match came.take_if(|_| until > now + Span::from_millis(1)) {
                 Some(bytes) => {
                     now += Span::from_millis(1);

@@ -89,6 +89,7 @@ fn the_other_channel_is_set_by_write() {
     for (protocol, what, code) in [
         ("sdo", "921=1700", 0),
         ("sdo", "922=1500", 0),
+        ("sdo", "921=1700 922=1500", 0),
         ("sdo1", "923=0", 0),
         ("sdo", "923=0", 8),
         ("sdo1", "921=1700", 8),
@@ -101,6 +102,10 @@ fn the_other_channel_is_set_by_write() {
                 assert_eq!(run.error()["code"], "forbidden.own_line", "{what}");
                 assert!(run.error()["hint"].as_str().unwrap().contains("antrieb "), "{}", run.error());
             }
+            // It is read back, and nobody is told that the drive is gone.
+            let results = run.value.pointer("/data/values").and_then(|rows| rows.as_array());
+            let is_proven = results.is_some_and(|rows| rows.iter().all(|row| row["result"] == "verified"));
+            assert!(code == 8 || is_proven && run.value["warnings"] == json!([]), "{what}: {:#}", run.value);
             // Refused before the line is opened, where the catalogue alone tells.
             let bus = witness::left_can();
             assert!(bus.as_ref().is_none_or(|bus| bus.remarks().is_empty()), "{what}");

@@ -262,11 +262,13 @@ pub(in crate::command) async fn on_lines<R>(
 
 /// Why nothing of a file goes over a line of PROFIBUS.
 fn unspoken() -> Failure {
-    let message =
-        both!("parameter files do not go over PROFIBUS-DP yet", "Parameterdateien gehen noch nicht über PROFIBUS-DP");
+    let message = both!(
+        "the files of a plant do not go over PROFIBUS-DP yet",
+        "die Dateien einer Anlage gehen noch nicht über PROFIBUS-DP"
+    );
     Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
-        "`read` and `write` speak it, one slave at a time; `antrieb -a NAME read` takes it from the project file",
-        "`read` und `write` sprechen es, ein Slave nach dem anderen; `antrieb -a NAME read` nimmt ihn aus der Projektdatei"
+        "one slave at a time they do: `antrieb -a NAME dataset load FILE`, and `dataset check FILE`",
+        "ein Slave nach dem anderen schon: `antrieb -a NAME dataset load DATEI` und `dataset check DATEI`"
     ))
 }
 

@@ -30,7 +30,7 @@ use std::path::{Path, PathBuf};
 /// P.567. Numbers behind it are modes of P.562 (1, 11, 21, 101) in place of the one of the file.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// What `monitor --record` has written, NDJSON or CSV; or a parameter file
+    /// A record of `monitor --record`, or a parameter file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
 

@@ -8,6 +8,7 @@ use crate::drive::motion::{has_power, look};
 use crate::failure::{Class, Failure};
 use crate::outcome::Lent;
 use crate::profile::procedure::{Act, Step};
+use crate::profile::value::written;
 use crate::profile::{DataSets, Family, Need};
 use crate::text::{Text, both};
 
@@ -25,9 +26,9 @@ impl Guide<'_> {
             let told = target.read_set(&mut self.session, &param, set).await;
             let reading = told.map_err(|error| error.failure(target.address, Some(&family)))?;
             if reading.raw != lent.old {
-                let (name, now, old) = (&lent.name, reading.raw, lent.old);
+                let (name, now, old) = (&lent.name, written(&param, reading.raw), written(&param, lent.old));
                 left.push(both!("{name} = {now} (was {old})", "{name} = {now} (war {old})"));
-                steps.push((lent, job::Step { kind: Some(reading.kind), raw: old, param, set, at: None }));
+                steps.push((lent, job::Step { kind: Some(reading.kind), raw: lent.old, param, set, at: None }));
             }
         }
         let seen = look(&mut self.session, &mut target).await?;

@@ -67,6 +67,9 @@ impl Plot<'_, '_> {
         if there == self.here && old == raw {
             return Ok(());
         }
+        if to == SdoChannel::One {
+            self.listen().await?;
+        }
         let traffic = self.session.traffic().unwrap_or_default();
         forbidden(&traffic, to).map_or(Ok(()), Err)?;
         let (session, target) = (&mut *self.session, &mut *self.target);
@@ -109,6 +112,12 @@ impl Plot<'_, '_> {
         Ok(())
     }
 
+    /// Waits for what a master says by itself, and for what comes late.
+    async fn listen(&mut self) -> Result<(), Failure> {
+        let rest = self.session.limits().reply_timeout;
+        self.session.rest(rest).await.map_err(|error| error.failure(self.target.address, None))
+    }
+
     /// Who else is on the bus, as far as anybody shows himself: everybody is asked, and what is heard late counts as well.
     async fn others(&mut self) -> Result<String, Failure> {
         let own = self.target.address;
@@ -119,8 +128,7 @@ impl Plot<'_, '_> {
                 _ => {}
             }
         }
-        let rest = self.session.limits().reply_timeout;
-        self.session.rest(rest).await.map_err(|error| error.failure(own, None))?;
+        self.listen().await?;
         let traffic = self.session.traffic().unwrap_or_default();
         let name = |station: &u8| if *station == MASTER_STATION { "master".to_owned() } else { station.to_string() };
         let mut others: Vec<String> = traffic.nodes.keys().filter(|station| **station != own).map(name).collect();

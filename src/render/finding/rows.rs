@@ -173,6 +173,6 @@ mod tests {
     #[test]
     fn a_word_is_known_by_its_type() {
         let words = Rows::of::<Diagnosis>("drive", &[]).columns.into_iter().filter(|column| column.is_word);
-        assert_eq!(words.map(|column| column.name).collect::<Vec<_>>(), ["status", "warnings"]);
+        assert_eq!(words.map(|column| column.name).collect::<Vec<_>>(), ["status", "warnings", "inputs"]);
     }
 }

@@ -291,7 +291,7 @@ fn in_a_pipe_every_setting_is_a_line_and_with_ndjson_a_record() {
     for (lang, first, each) in [
         (
             "en",
-            "7 settings, the likeliest first, in 4 round(s): about ",
+            "7 settings, the likeliest first, in 4 rounds: about ",
             "2/7, round 1/4: 9600 8E1 rtu, 1: nobody; found 0, about ",
         ),
         (

@@ -160,7 +160,7 @@ impl Dice {
 }
 
 /// From here on somebody wants to go home.
-const LATE: usize = 130;
+const LATE: usize = 180;
 
 #[test]
 fn no_shaft_is_left_turning_whatever_is_pressed() {

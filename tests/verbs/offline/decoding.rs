@@ -203,7 +203,7 @@ fn a_reply_beside_its_request_says_what_it_answers() {
         ("01 03 01 E0 00 01 84 00 01 03 02 04 E2 3A CD", "address 1: P.480@0 Fixed Frequency 1 = 12.50 Hz"),
         (
             "01 03 01 9B 00 01 F4 19 01 03 02 02 37 F8 F2",
-            "address 1: P.411@0 State word = 0x0237 (Operation enabled: Ready to switch on",
+            "address 1: P.411@0 Status word = 0x0237 (Operation enabled: Ready to switch on",
         ),
         ("01 03 01 9C 00 01 45 D8 01 03 02 00 01 79 84", "address 1: P.412@0 Local/Remote = 1 (State machine)"),
         ("01 64 00 D2 C0 5A 01 64 00 00 03 E8 70 BC", "address 1: P.210@0 Stator frequency = 10.00 Hz"),

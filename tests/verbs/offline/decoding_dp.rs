@@ -74,6 +74,6 @@ fn data_exchange_is_told_by_its_configuration() {
 
 #[test]
 fn a_verb_that_does_not_speak_it_says_so() {
-    let error = antrieb("--protocol dp --port sim -a 1 dataset show 372").json().exits(2).error()["code"].clone();
+    let error = antrieb("--protocol dp --port sim -a 1 line show").json().exits(2).error()["code"].clone();
     assert_eq!(error, "usage.profibus");
 }

@@ -187,6 +187,7 @@ fn every_example_works() {
         let line = line.replace("run.csv", "{dir}/run.csv");
         let line = line.replace("record.csv", "{dir}/record.csv").replace("ramp.svg", "{dir}/ramp.svg");
         let line = line.replace("plant.toml", "{dir}/plant.toml");
+        let line = line.replace("mixer.toml", "{dir}/mixer.toml");
         let line = line.replace("bus.toml", "{dir}/bus.toml").replace("bus.svg", "{dir}/bus.svg");
         let line = line.replace("--dcf .", "--dcf {dir}");
         let line = line.replace("base.", "{dir}/base.").replace("extra.toml", "{dir}/extra.toml");

@@ -273,7 +273,8 @@ fn why_no_file_goes_into_a_slave_of_profibus_is_told_as_it_is() {
         let bench = run.directory().join("b.toml").display().to_string();
         let run = run.file("b.toml", "[[drive]]\nmodel = \"act\"\naddress = 1\n");
         let ended = run.file("antrieb.toml", &config.replace("{dir}/b.toml", &format!("sim:{bench}"))).exits(9);
-        let told = if lang == "en" { "do not go over PROFIBUS-DP" } else { "gehen noch nicht über PROFIBUS-DP" };
+        let told =
+            if lang == "en" { "of a plant do not go over PROFIBUS-DP" } else { "gehen noch nicht über PROFIBUS-DP" };
         assert!(ended.err.contains(told) && !ended.err.contains("alone"), "{verb}: {}", ended.err);
     }
 }
