@@ -26,9 +26,10 @@ impl Guide<'_> {
             let told = target.read_set(&mut self.session, &param, set).await;
             let reading = told.map_err(|error| error.failure(target.address, Some(&family)))?;
             if reading.raw != lent.old {
-                let (name, now, old) = (&lent.name, written(&param, reading.raw), written(&param, lent.old));
+                let before = lent.old;
+                let (name, now, old) = (&lent.name, written(&param, reading.raw), written(&param, before));
                 left.push(both!("{name} = {now} (was {old})", "{name} = {now} (war {old})"));
-                steps.push((lent, job::Step { kind: Some(reading.kind), raw: lent.old, param, set, at: None }));
+                steps.push((lent, job::Step { kind: Some(reading.kind), raw: before, param, set, at: None }));
             }
         }
         let seen = look(&mut self.session, &mut target).await?;
