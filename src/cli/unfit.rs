@@ -204,6 +204,13 @@ impl Place {
                 what,
                 why = std::error::Error::source(error).map_or_else(Text::default, unfit_value)
             ),
+            (ErrorKind::UnknownArgument, _) if self.is_early(what) => {
+                let path = self.path.join(" ");
+                both!(
+                    "'{what}' stands before `{path}`, whose option it is",
+                    "'{what}' steht vor `{path}` und gehört dahinter"
+                )
+            }
             (ErrorKind::UnknownArgument, _) => match behind.is_empty() {
                 true => both!("'{what}' is not expected here", "'{what}' wird hier nicht erwartet"),
                 false => {
@@ -252,6 +259,14 @@ impl Place {
         // Whoever types a stop may have a turning shaft: nothing is suggested that is only spelt alike.
         if let Some(how) = self.stop(error) {
             return how;
+        }
+        let early = error.get(Told::InvalidArg).map(ToString::to_string).filter(|option| self.is_early(option));
+        if let Some(option) = early {
+            let path = self.path.join(" ");
+            return both!(
+                "options of a verb stand behind it: `antrieb … {path} … {option}`",
+                "Optionen eines Befehls stehen hinter ihm: `antrieb … {path} … {option}`"
+            );
         }
         if let Some((option, verbs)) = self.of_others(error) {
             if self.path == ["statemachine", "enable"] && KEYPAD.contains(&&*option) {
@@ -316,6 +331,14 @@ impl Place {
         });
         let verbs = verbs.collect::<Vec<_>>().join(", ");
         (!verbs.is_empty()).then_some((option, verbs))
+    }
+
+    /// Whether it is an option of the verb that was typed, and stands before it.
+    fn is_early(&self, option: &str) -> bool {
+        let Some(long) = option.strip_prefix("--") else { return false };
+        let verb = self.path.iter().try_fold(&self.root, |command, name| command.find_subcommand(name));
+        let has = |verb: &clap::Command| verb.get_arguments().any(|arg| arg.get_long() == Some(long));
+        !self.path.is_empty() && verb.is_some_and(has)
     }
 
     /// The command that another word for a verb means, with all that was typed.

@@ -18,6 +18,7 @@ pub struct Args {
 
 /// Measures the line to every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    super::not_over_profibus(context.settings)?;
     if context.settings.dry_run {
         let family = super::offline_family(context.settings, context.registry)?;
         return super::plan(context, &family, &[harmless(&family, context.settings.protocol)]);

@@ -121,8 +121,21 @@ async fn connect<'a>(
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
     settings.check_one_line()?;
+    not_over_profibus(settings)?;
     let port = open_port(settings.port.as_ref(), observe)?;
     open(&port, settings, registry, interrupt, observe).await
+}
+
+/// Refuses a conversation where PROFIBUS is spoken: not a byte of another protocol goes out on its line.
+fn not_over_profibus(settings: &Settings) -> Result<(), Failure> {
+    if !settings.profibus {
+        return Ok(());
+    }
+    let message = both!("this does not go over PROFIBUS-DP", "das geht nicht über PROFIBUS-DP");
+    Err(Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
+        "`antrieb profibus live` tells who is on the line and how he answers, `sniff` what goes over it",
+        "`antrieb profibus live` zeigt, wer an der Leitung ist und wie er antwortet, `sniff`, was darüber geht"
+    )))
 }
 
 /// The same, to listen only where it is a CAN bus.
@@ -133,6 +146,7 @@ async fn listen<'a>(
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
     settings.check_one_line()?;
+    not_over_profibus(settings)?;
     let port = open_port(settings.port.as_ref(), observe)?;
     Session::open(Opening { listens: true, ..opening(&port, settings) }, registry, interrupt.clone(), observe).await
 }

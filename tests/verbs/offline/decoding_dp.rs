@@ -74,6 +74,10 @@ fn data_exchange_is_told_by_its_configuration() {
 
 #[test]
 fn a_verb_that_does_not_speak_it_says_so() {
-    let error = antrieb("--protocol dp --port sim -a 1 line show").json().exits(2).error()["code"].clone();
-    assert_eq!(error, "usage.profibus");
+    // A part of a verb that speaks it sends nothing else on its line either.
+    for line in ["line show", "diag line", "diag line --dry-run"] {
+        let told = antrieb(&format!("--protocol dp --port sim -a 3 {line}")).json().exits(2);
+        assert_eq!(told.error()["code"], "usage.profibus", "{line}");
+        assert!(!told.err.contains(" ms > "), "{line}: {}", told.err);
+    }
 }

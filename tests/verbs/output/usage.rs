@@ -27,6 +27,17 @@ const MISTAKES: &[Mistake] = &[
         ["`--record` is an option of `monitor`", "`--record` ist eine Option von `monitor`"],
     ),
     mistake(
+        "--enable sollwert 10Hz",
+        [
+            "'--enable' stands before `sollwert`, whose option it is",
+            "'--enable' steht vor `sollwert` und gehört dahinter",
+        ],
+        [
+            "options of a verb stand behind it: `antrieb … sollwert … --enable`",
+            "Optionen eines Befehls stehen hinter ihm: `antrieb … sollwert … --enable`",
+        ],
+    ),
+    mistake(
         "monitor --resume x",
         ["'--resume' is not expected behind `monitor`", "'--resume' wird hinter `monitor` nicht erwartet"],
         [
