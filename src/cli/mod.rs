@@ -395,6 +395,10 @@ fn work(
         }
         outcome
     });
+    // What is typed into a run that shows no line is nobody's command: a shell would start the drive once more, unasked.
+    if entry.turns && !settings.dry_run {
+        render::forget_what_was_typed();
+    }
     // Before a signal can end us as it ends any program: the terminal of a run is given back.
     if watch.is_some() {
         console.finish();

@@ -22,12 +22,15 @@ const HINT: &Text = &Text::new("hint", "Hinweis");
 /// Where answers are typed.
 pub type Input = Box<dyn BufRead + Send>;
 
-/// What was typed at the terminal and nobody has read yet is gone; where stdin is none, nothing is.
-pub(super) fn forget_what_was_typed() {
+/// What was typed at the terminal and nobody has read yet is gone; where stdin is none, or that of somebody else's job, nothing is.
+pub fn forget_what_was_typed() {
     #[cfg(unix)]
     {
-        use rustix::termios::{QueueSelector, tcflush};
-        let _gone = tcflush(rustix::stdio::stdin(), QueueSelector::IFlush);
+        use rustix::termios::{QueueSelector, tcflush, tcgetpgrp};
+        let stdin = rustix::stdio::stdin();
+        if tcgetpgrp(stdin).is_ok_and(|group| group == rustix::process::getpgrp()) {
+            let _gone = tcflush(stdin, QueueSelector::IFlush);
+        }
     }
 }
 

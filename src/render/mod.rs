@@ -16,7 +16,7 @@ mod wrap;
 
 pub use ask::Terminal;
 pub use calls::calls;
-pub use console::{Console, Input, Streams};
+pub use console::{Console, Input, Streams, forget_what_was_typed};
 pub use document::{print, print_end};
 pub use finding::sheet;
 pub use outlet::{AtOnce, Outlet, Patience, Stdout, write_from_the_background};

@@ -70,5 +70,13 @@ pub(in crate::command) async fn through(
         Err(failure) => return Err(left.unwrap_or_else(|| true_one(failure))),
     };
     warnings.extend(parting.map(|message| Warning { code: "profibus.let_go".to_owned(), message }));
-    Ok(Outcome { data, warnings, failure: left.or(failure.map(true_one)) })
+    let failure = match (left, failure.map(true_one)) {
+        // What was left half done in the inverter is worse than the silence of its module.
+        (Some(left), Some(torn)) if torn.class == Class::Partial => {
+            warnings.push(Warning { code: left.code.clone(), message: left.told() });
+            Some(Failure { alarm: torn.alarm || left.alarm, ..torn })
+        }
+        (left, failure) => left.or(failure),
+    };
+    Ok(Outcome { data, warnings, failure })
 }

@@ -14,7 +14,7 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Hex;
 use crate::text::both;
 use crate::tick::{Span, Tick};
-use crate::transport::{Link, Port};
+use crate::transport::{Link, Port, Wake};
 
 /// An open PROFIBUS line.
 pub struct Line<'a> {
@@ -106,11 +106,13 @@ impl<'a> Line<'a> {
         self.link.now()
     }
 
-    /// Waits without asking anything; what comes is nobody's answer.
+    /// Waits without asking anything; what comes is nobody's answer, but may show another master.
     pub(super) async fn rest(&mut self, until: Tick) -> Result<(), Failure> {
         while self.link.now() < until {
             let heard = pump::hear(&mut self.link, &self.interrupt, until).await;
-            heard.map_err(|error| AccessError::from(error).failure(0, None))?;
+            if let Wake::Bytes(bytes) = heard.map_err(|error| AccessError::from(error).failure(0, None))? {
+                self.fdl.feed(self.link.now(), &bytes);
+            }
         }
         Ok(())
     }

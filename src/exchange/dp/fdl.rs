@@ -167,6 +167,8 @@ pub struct Fdl {
     tally: Tally,
     /// What is asked goes out whoever else speaks: it is the stop of a motor.
     insists: bool,
+    /// Another master who was heard while nothing was asked.
+    stranger: Option<u8>,
 }
 
 impl Fdl {
@@ -186,6 +188,7 @@ impl Fdl {
             repeats: BTreeMap::new(),
             tally: Tally::default(),
             insists: false,
+            stranger: None,
         }
     }
 
@@ -249,6 +252,9 @@ impl Fdl {
         let (until, limit) = (now, now + self.patience());
         let (asked_times, garbage) = (0, Vec::new());
         self.open = Some(Open { station, asked, bytes, tries, asked_times, sent: None, until, limit, garbage });
+        if let Some(other) = self.stranger.take().filter(|_| !self.insists) {
+            self.ends(now, Err(Unanswered::OtherMaster(other)));
+        }
     }
 
     fn note(&mut self, at: Tick, verdict: Verdict, bytes: Vec<u8>) {
@@ -350,14 +356,17 @@ impl Fdl {
                 self.open.iter_mut().for_each(|open| open.garbage.extend(&before));
             }
             if let Some(result) = self.weigh(now, telegram, bytes) {
-                return self.ends(now, result);
+                self.ends(now, result);
             }
         }
     }
 
     /// What a telegram is to the question that is open; its end, if it is one.
     fn weigh(&mut self, now: Tick, telegram: Telegram, bytes: Vec<u8>) -> Option<Result<Reply, Unanswered>> {
-        let open = self.open.as_ref()?;
+        let Some(open) = &self.open else {
+            self.stranger = self.stranger.or(self.other_master(&telegram));
+            return None;
+        };
         let is_echo = bytes == open.bytes;
         let (verdict, result) = match telegram {
             _ if is_echo => (Verdict::Echo, None),
@@ -377,6 +386,17 @@ impl Fdl {
         };
         self.note(now, verdict, bytes);
         result
+    }
+
+    /// Who else leads this line, if a telegram shows it.
+    fn other_master(&self, telegram: &Telegram) -> Option<u8> {
+        let master = match telegram {
+            Telegram::Token { from, .. } => *from,
+            Telegram::Frame(frame) if matches!(frame.control, Control::Request { .. }) => frame.from,
+            Telegram::Frame(frame) => frame.to,
+            Telegram::Ack => return None,
+        };
+        (master != self.me).then_some(master)
     }
 
     fn frame(&self, open: &Open, frame: Frame) -> (Verdict, Option<Result<Reply, Unanswered>>) {
@@ -491,6 +511,30 @@ mod tests {
         assert_eq!(said, diag().telegram(3, 0), "counting begins again");
         fdl.feed(now + Span::from_millis(20), &reply());
         assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+    }
+
+    /// Who leads this line too is told by the next question, also where he spoke while nobody asked; what a slave says late is no sign of one.
+    #[test]
+    fn a_master_who_is_heard_between_two_questions_ends_the_next_one() {
+        for (heard, is_told) in [(vec![0xDC, 9, 2], true), (Asked::STATUS.telegram(3, 2), true), (reply(), false)] {
+            for insists in [false, true] {
+                let (mut fdl, mut now) = (fdl(), Tick::ZERO);
+                if insists {
+                    fdl.insist();
+                }
+                fdl.ask(3, diag(), None, now);
+                sent(&mut fdl, &mut now);
+                now += Span::from_millis(10);
+                fdl.feed(now, &reply());
+                assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+                now += Span::from_millis(10);
+                fdl.feed(now, &heard);
+                now += Span::from_millis(10);
+                fdl.ask(3, diag(), None, now);
+                let ended = matches!(fdl.step(now), Step::Done(Err(Unanswered::OtherMaster(2))));
+                assert_eq!(ended, is_told && !insists, "{heard:02X?}");
+            }
+        }
     }
 
     /// A token every 2 ms leaves no room on a line: who insists asks all the same, and is answered.
