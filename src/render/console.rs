@@ -277,17 +277,14 @@ impl Inner {
 
     fn put(&mut self, text: &str) {
         self.clear();
-        // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
-        let Inner { err, drawn, waits, .. } = self;
-        let mut write = || {
-            let _closed = writeln!(err, "{text}");
-            // Behind the bar that is drawn again, it would leave that standing.
-            settle(&mut **err, *waits);
-        };
-        match drawn {
-            Some(drawn) => drawn.suspend(write),
-            None => write(),
+        if let Some(drawn) = &self.drawn {
+            // Not `suspend`: it panics where the terminal is gone, and what is half written could not be taken back.
+            let _gone = drawn.clear();
         }
+        // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
+        let _closed = writeln!(self.err, "{text}");
+        // Behind the bar that is drawn again, it would leave that standing.
+        self.settle();
     }
 
     /// Takes away the line of a run until it is shown again.

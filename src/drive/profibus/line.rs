@@ -6,7 +6,7 @@ use crate::drive::opening::{Opening, open_trace};
 use crate::drive::pump;
 use crate::drive::{AccessError, Interrupt};
 use crate::exchange::dp::{Asked, Fdl, Heard, Listening, MASTER, Reply, Timing, Unanswered};
-use crate::exchange::{Record, Tally, Verdict};
+use crate::exchange::{Conversation, Record, Tally, Verdict};
 use crate::failure::Failure;
 use crate::outcome::Event;
 use crate::profile::Registry;
