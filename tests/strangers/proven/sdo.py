@@ -8,7 +8,7 @@ for t in range(int(sys.argv[1])):
     if ev and ev[0]!='K' and ev[:3] not in('INT','TER'): b+=f'[[drive.event]]\nafter_writes={k}\n{ev}\n'
     open('b.toml','w').write(b)
     sim=subprocess.Popen([B,'--no-config','simulate','--can','b.toml','--link','adp','--duration','100s'],stdout=subprocess.DEVNULL,stderr=open('sim.err','w')); time.sleep(.5)
-    A=[B,'--no-config','-p','slcan:adp','-b','500000','-a','1']
+    A=[B,'--no-config','-p','slcan:adp','-b','1000000','-a','1']
     for f in os.listdir('.'):
         if f.startswith(('s.','l.')): os.unlink(f)
     r=subprocess.run(A+['dataset','save','s.toml'],capture_output=True,text=True)

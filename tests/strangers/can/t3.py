@@ -1,0 +1,11 @@
+from bench import *
+b=Bench('t3')
+b.run('write','921=1700','--yes')
+b.run('read','921','411')
+b.run('write','922=1701','--yes','--json')
+b.run('read','922','411')
+b.run('write','921=0','922=0','--yes')
+b.run('write','923=0','--yes',pre=['--protocol','sdo1'])
+b.run('write','923=1','--yes',pre=['--protocol','sdo1'])
+b.run('write','923=0','--yes')
+b.close();print(b.sins,b.notes)
