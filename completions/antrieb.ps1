@@ -88,7 +88,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('sollwert', 'sollwert', [CompletionResultType]::ParameterValue, 'Shows setpoint and actual value, or gives one')
             [CompletionResult]::new('setpoint', 'setpoint', [CompletionResultType]::ParameterValue, 'Shows setpoint and actual value, or gives one')
             [CompletionResult]::new('monitor', 'monitor', [CompletionResultType]::ParameterValue, 'Watches drives: state, setpoint, actual value, current, fault')
-            [CompletionResult]::new('plot', 'plot', [CompletionResultType]::ParameterValue, 'Draws a record of `monitor`: setpoint, actual value, current over time')
+            [CompletionResult]::new('plot', 'plot', [CompletionResultType]::ParameterValue, 'Draws a record of `monitor` over time, or the characteristic of an analog input')
             [CompletionResult]::new('report', 'report', [CompletionResultType]::ParameterValue, 'Writes down a drive and its line for who takes them over')
             [CompletionResult]::new('procedure', 'procedure', [CompletionResultType]::ParameterValue, 'Guided work, step by step')
             [CompletionResult]::new('protocol', 'protocol', [CompletionResultType]::ParameterValue, 'Shows or changes what a drive speaks: RTU, ASCII, VABus')
@@ -2400,7 +2400,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--yes', '--yes', [CompletionResultType]::ParameterName, 'Answer the safety question with yes')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
-            [CompletionResult]::new('show', 'show', [CompletionResultType]::ParameterValue, 'Speed, parity and addresses as they are stored in the drive')
+            [CompletionResult]::new('show', 'show', [CompletionResultType]::ParameterValue, 'Speed, parity and addresses as they are stored in the drive; on a CAN bus node, bit rate and channels')
             [CompletionResult]::new('set', 'set', [CompletionResultType]::ParameterValue, 'Brings the drive to another speed, parity or address')
             break
         }
