@@ -172,8 +172,8 @@ impl Wish {
 
     /// Refuses what no drive of these families can be set to, over what is spoken with it now.
     pub fn check(&self, families: &[Rc<Family>], now: Protocol) -> Result<(), Failure> {
-        let is_on_bus = bus::is_bus(now);
-        if self.protocol.is_some_and(|to| bus::is_bus(to) != is_on_bus) || (is_on_bus && self.parity.is_some()) {
+        let is_on_bus = now.is_can();
+        if self.protocol.is_some_and(|to| to.is_can() != is_on_bus) || (is_on_bus && self.parity.is_some()) {
             return Err(other_line(is_on_bus));
         }
         let mut rates: Vec<u32> =
@@ -203,7 +203,7 @@ impl Wish {
 pub fn orders(wish: &Wish, protocol: Protocol, family: &Family) -> Vec<Inquiry> {
     let address = address_role(protocol);
     let line = &family.link.line;
-    let is_on_bus = bus::is_bus(protocol);
+    let is_on_bus = protocol.is_can();
     let baud = coded(rates(family, is_on_bus), wish.baud).map(|row| row.1);
     let parity = coded(&parities(family), wish.parity).map(|row| row.1);
     let restart = baud.or(parity).and(line.restart).filter(|_| !is_on_bus);

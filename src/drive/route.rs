@@ -1,8 +1,7 @@
 //! From a parameter to the question that reads or writes it, and from the answer to its bits: over every protocol, in
 //! the ways of every family.
 
-use super::profibus::place;
-use crate::exchange::dp::Request as Block;
+use crate::exchange::dp::{Place, Request as Block};
 use crate::exchange::{Question, Said};
 use crate::profile::{Cause, Family, Link, Param, Role, Route as Way, Type, input_register};
 use crate::protocol::Protocol;
@@ -367,7 +366,7 @@ fn object(inquiry: Inquiry) -> Option<sdo::Request> {
 fn block(inquiry: Inquiry) -> Option<Pkw> {
     let of = |cell: Cell| {
         let param = Param::unknown(cell.number);
-        let place = place(param.number(), param.element());
+        let place = Place::of(param.number(), param.element());
         // A parameter of the second set has an index of its own.
         (place.pnu <= LAST_PNU && cell.set == 0).then_some(place)
     };

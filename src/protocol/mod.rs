@@ -43,6 +43,11 @@ impl Protocol {
     /// Those of a CAN bus: over the channel that is meant for a tool, and over that of the master.
     pub const OF_CAN: [Protocol; 2] = [Protocol::Sdo(SdoChannel::Two), Protocol::Sdo(SdoChannel::One)];
 
+    /// Whether it goes over a CAN bus.
+    pub fn is_can(self) -> bool {
+        matches!(self, Protocol::Sdo(_))
+    }
+
     /// The word that names it on the command line and in JSON.
     pub fn name(self) -> &'static str {
         match self {

@@ -28,9 +28,10 @@ pub fn forget_what_was_typed() {
     {
         use rustix::termios::{QueueSelector, tcflush, tcgetpgrp};
         let stdin = rustix::stdio::stdin();
-        if tcgetpgrp(stdin).is_ok_and(|group| group == rustix::process::getpgrp()) {
-            let _gone = tcflush(stdin, QueueSelector::IFlush);
+        if tcgetpgrp(stdin).is_ok_and(|group| group != rustix::process::getpgrp()) {
+            return;
         }
+        let _gone = tcflush(stdin, QueueSelector::IFlush);
     }
 }
 

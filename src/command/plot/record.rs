@@ -268,7 +268,10 @@ impl Track {
     fn holes(&self) -> Vec<(f64, f64)> {
         let pairs = self.rows.windows(2);
         pairs
-            .filter_map(|pair| matches!(pair, [one, next] if !next.follows(one)).then(|| (pair[0].t, pair[1].t)))
+            .filter_map(|pair| match pair {
+                [one, next] if !next.follows(one) => Some((one.t, next.t)),
+                _ => None,
+            })
             .collect()
     }
 

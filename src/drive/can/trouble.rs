@@ -104,7 +104,7 @@ pub(super) fn other_tool() -> Failure {
 }
 
 /// There is a master, and SDO1 is his.
-pub(super) fn other_master() -> Failure {
+pub(in crate::drive) fn other_master() -> Failure {
     let message = both!(
         "a master is active on this bus, and SDO1 is his; nothing was sent",
         "an diesem Bus ist ein Master aktiv, und SDO1 gehört ihm; es wurde nichts gesendet"

@@ -61,7 +61,7 @@ impl Exchange<'_, '_> {
     }
 
     async fn is_locked(&mut self) -> Result<bool, Failure> {
-        Ok(self.read(place(UNLOCKS, None)).await?.is_ok_and(|told| told & 0xFF == 0))
+        Ok(self.read(Place::of(UNLOCKS, None)).await?.is_ok_and(|told| told & 0xFF == 0))
     }
 
     /// Reads a parameter, or an element of it, into the haul. Fails only if the exchange is over.
@@ -84,7 +84,7 @@ impl Exchange<'_, '_> {
         (param, element): &(Param, Option<u8>),
     ) -> Result<(Value, Option<Failure>), Failure> {
         let address = self.address();
-        let (value, failure) = match self.read(place(param.id, *element)).await? {
+        let (value, failure) = match self.read(Place::of(param.id, *element)).await? {
             Ok(bits) => {
                 let kind = param.kind.unwrap_or(Type::Word);
                 let raw = value::from_wire(bits, kind, param.min);
@@ -104,7 +104,7 @@ impl Exchange<'_, '_> {
         let mut told = Vec::new();
         for param in BEHIND.into_iter().filter_map(|id| family.params.get(&id)) {
             let (id, name) = (param.id, &param.name);
-            let read = self.read(place(id, None)).await?;
+            let read = self.read(Place::of(id, None)).await?;
             if id == u32::from(LOST) {
                 self.behind = read.as_ref().ok().map(|raw| raw & 0xFF);
             }
@@ -131,9 +131,4 @@ impl Exchange<'_, '_> {
 /// The word of a series, as P.624 tells it.
 pub(in crate::drive) fn series_named(told: u32) -> Option<&'static str> {
     NAMES.iter().find(|row| row.0 == told & 0xFF).map(|row| row.1)
-}
-
-/// Where a parameter stands.
-pub(in crate::drive) fn place(id: u32, element: Option<u8>) -> Place {
-    Place { pnu: u16::try_from(id).unwrap_or(u16::MAX), element }
 }

@@ -2,8 +2,7 @@
 //! so that reading, writing with proof and transactions are the same as everywhere.
 
 use super::exchange::Exchange;
-use super::read::place;
-use crate::exchange::dp::{Request, Told};
+use crate::exchange::dp::{Place, Request, Told};
 use crate::failure::Failure;
 use crate::protocol::dp::pkw::{self, Pkw, Task};
 use crate::transport::Mailbox;
@@ -69,7 +68,7 @@ impl Exchange<'_, '_> {
         let block = question.split_first().and_then(|(_, block)| <&[u8; pkw::LENGTH]>::try_from(block).ok());
         let Some(asked) = block.map(Pkw::decode) else { return Ok(None) };
         let task = Task::of(asked.ak);
-        let at = place(asked.pnu.into(), task.has_element().then(|| asked.sub_index()));
+        let at = Place::of(asked.pnu.into(), task.has_element().then(|| asked.sub_index()));
         let request = match task.writes() {
             true => Request::write(at, asked.pwe as u16, self.line.now()),
             false => Request::read(at, self.line.now()),

@@ -2,12 +2,11 @@
 
 use super::exchange::Exchange;
 use super::mode::{Mode, Words};
-use super::read::place;
 use super::trouble;
 use crate::drive::decode::dp::{Cyclic, Reader};
 use crate::drive::describe;
 use crate::drive::job::{self, Step};
-use crate::exchange::dp::{Asked, MASTER, Request, Told};
+use crate::exchange::dp::{Asked, MASTER, Place, Request, Told};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{ErrorDoc, TelegramDoc, WriteResult, Written};
@@ -22,7 +21,7 @@ use crate::tick::Tick;
 /// can be written (SJ2-PB manual 5.5).
 pub fn planned(address: u8, family: &Family, step: &Step, element: Option<u8>) -> Result<Written, Failure> {
     let word = word(step)?;
-    let request = Request::write(place(step.param.id, element), word, Tick::ZERO);
+    let request = Request::write(Place::of(step.param.id, element), word, Tick::ZERO);
     let telegram = asking(address, request.asked(), family);
     let mut row = describe::to_write(address, family, &step.param, 0, step.raw);
     row.index = element;
@@ -70,7 +69,7 @@ impl Exchange<'_, '_> {
         if !step.param.access.reads() {
             return Ok(());
         }
-        let raw = match self.read(place(step.param.id, row.index)).await? {
+        let raw = match self.read(Place::of(step.param.id, row.index)).await? {
             Ok(bits) => from_wire(bits, step.kind.unwrap_or(Type::Word), step.param.min),
             Err(_) if force => return Ok(()),
             Err(failure) => return Err(failure),
@@ -86,7 +85,7 @@ impl Exchange<'_, '_> {
     /// Writes a value and reads it back. A missing answer is no reason to say it again: what stands there tells what came of it.
     /// Fails if it was not written, with the row told.
     pub async fn write(&mut self, step: &Step, row: &mut Written, _permit: &Permit<Writing>) -> Result<(), Failure> {
-        let (at, word) = (place(step.param.id, row.index), word(step)?);
+        let (at, word) = (Place::of(step.param.id, row.index), word(step)?);
         row.result = WriteResult::Unknown;
         if step.param.id == STORE
             && word != 0

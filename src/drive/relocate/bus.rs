@@ -6,6 +6,7 @@ use super::plot::Plot;
 use super::said::{no_other_channel, not_alone};
 use super::{Change, Leg, Place, Then, Wish, coded, rates};
 use crate::drive::can::forbidden;
+use crate::drive::can::trouble::other_master;
 use crate::exchange::Limits;
 use crate::failure::Failure;
 use crate::profile::Role;
@@ -23,11 +24,6 @@ pub(super) const CHANNELS: [(i64, Protocol); 2] =
 const PACE: Span = Span::from_millis(20);
 /// Every drive has the parameter that holds its node.
 const NODE: Multiplexer = Multiplexer { index: 900, sub: 0 };
-
-/// Whether it is spoken on a CAN bus.
-pub(super) fn is_bus(protocol: Protocol) -> bool {
-    matches!(protocol, Protocol::Sdo(_))
-}
 
 /// What there is to be known of a step, besides what it changes.
 pub(super) fn besides(then: Then) -> Option<Text> {
@@ -68,9 +64,14 @@ impl Plot<'_, '_> {
             return Ok(());
         }
         if to == SdoChannel::One {
+            self.calls(MASTER_STATION).await?;
             self.listen().await?;
         }
         let traffic = self.session.traffic().unwrap_or_default();
+        let is_led = to == SdoChannel::One && traffic.nodes.contains_key(&MASTER_STATION);
+        if is_led {
+            return Err(other_master());
+        }
         forbidden(&traffic, to).map_or(Ok(()), Err)?;
         let (session, target) = (&mut *self.session, &mut *self.target);
         let answers = is_taken(session, target, there).await;
@@ -112,6 +113,15 @@ impl Plot<'_, '_> {
         Ok(())
     }
 
+    /// Asks a node that is there perhaps; who answers is heard, also late.
+    async fn calls(&mut self, station: u8) -> Result<(), Failure> {
+        let once = Limits { retries: 0, reply_timeout: PACE, ..self.session.limits() };
+        match self.session.ask_within(station, Request::Upload(NODE), once).await {
+            Err(error) if error.is_fatal() => Err(error.failure(self.target.address, None)),
+            _ => Ok(()),
+        }
+    }
+
     /// Waits for what a master says by itself, and for what comes late.
     async fn listen(&mut self) -> Result<(), Failure> {
         let rest = self.session.limits().reply_timeout;
@@ -121,12 +131,8 @@ impl Plot<'_, '_> {
     /// Who else is on the bus, as far as anybody shows himself: everybody is asked, and what is heard late counts as well.
     async fn others(&mut self) -> Result<String, Failure> {
         let own = self.target.address;
-        let once = Limits { retries: 0, reply_timeout: PACE, ..self.session.limits() };
         for station in (1..=LAST_DRIVE).chain([MASTER_STATION]).filter(|station| *station != own) {
-            match self.session.ask_within(station, Request::Upload(NODE), once).await {
-                Err(error) if error.is_fatal() => return Err(error.failure(own, None)),
-                _ => {}
-            }
+            self.calls(station).await?;
         }
         self.listen().await?;
         let traffic = self.session.traffic().unwrap_or_default();

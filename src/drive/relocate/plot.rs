@@ -1,6 +1,5 @@
 //! Finds the way from where a drive is to what is wished for.
 
-use super::bus::is_bus;
 use super::said::{
     ADDRESS, behind_another, cannot_follow, of_the_bus, out_of_range, speaks_one_only, unknown_settings,
 };
@@ -22,7 +21,7 @@ pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish)
     if session.node() != 0 {
         return Err(behind_another());
     }
-    let is_on_bus = is_bus(session.protocol());
+    let is_on_bus = session.protocol().is_can();
     if is_on_bus && target.address > LAST_DRIVE {
         return Err(of_the_bus());
     }

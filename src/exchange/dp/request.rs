@@ -36,6 +36,13 @@ pub struct Place {
     pub element: Option<u8>,
 }
 
+impl Place {
+    /// Where a parameter stands.
+    pub fn of(id: u32, element: Option<u8>) -> Self {
+        Place { pnu: u16::try_from(id).unwrap_or(u16::MAX), element }
+    }
+}
+
 /// A request on its way.
 #[derive(Clone, Copy, Debug)]
 pub struct Request {

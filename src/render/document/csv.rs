@@ -42,9 +42,9 @@ fn places(column: Column, under: &[String]) -> Vec<Place> {
 
 /// Whether what a field holds is told by nothing shorter than its fields.
 fn is_record(Column { is_word, parts, .. }: &Column) -> bool {
-    let has = |name: &&str| parts.iter().any(|part| part.name == **name);
-    let is_told = TOLD.iter().any(|told| told.iter().all(|name| has(&name)));
-    let is_other = ABSENT.iter().any(|name| has(&name)) || READING.iter().all(|name| has(&name)) || has(&"bit");
+    let has = |name: &str| parts.iter().any(|part| part.name == name);
+    let is_told = TOLD.iter().any(|told| told.iter().all(|name| has(name)));
+    let is_other = ABSENT.iter().any(|name| has(name)) || READING.iter().all(|name| has(name)) || has("bit");
     !parts.is_empty() && !is_word && !is_told && !is_other
 }
 
