@@ -260,7 +260,8 @@ impl Place {
         if let Some(how) = self.stop(error) {
             return how;
         }
-        let early = error.get(Told::InvalidArg).map(ToString::to_string).filter(|option| self.is_early(option));
+        let unknown = error.get(Told::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument);
+        let early = unknown.map(ToString::to_string).filter(|option| self.is_early(option));
         if let Some(option) = early {
             let path = self.path.join(" ");
             return both!(

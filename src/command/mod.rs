@@ -146,7 +146,6 @@ async fn listen<'a>(
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
     settings.check_one_line()?;
-    not_over_profibus(settings)?;
     let port = open_port(settings.port.as_ref(), observe)?;
     Session::open(Opening { listens: true, ..opening(&port, settings) }, registry, interrupt.clone(), observe).await
 }
