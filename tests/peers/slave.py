@@ -24,6 +24,7 @@ BAUD = 19_200
 # Address word -> value; every other register is exception 2.
 WORDS = {
     address_word(11): 0,  # error register
+    address_word(250): 0,  # digital inputs
     address_word(260): 0,  # fault
     address_word(270): 0,  # warnings
     address_word(411): 0x0023,  # status word
