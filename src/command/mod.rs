@@ -121,7 +121,6 @@ async fn connect<'a>(
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
     settings.check_one_line()?;
-    not_over_profibus(settings)?;
     let port = open_port(settings.port.as_ref(), observe)?;
     open(&port, settings, registry, interrupt, observe).await
 }
