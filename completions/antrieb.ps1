@@ -2400,7 +2400,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--yes', '--yes', [CompletionResultType]::ParameterName, 'Answer the safety question with yes')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
-            [CompletionResult]::new('show', 'show', [CompletionResultType]::ParameterValue, 'Speed, parity, addresses as stored; on a CAN bus node, bit rate, channels')
+            [CompletionResult]::new('show', 'show', [CompletionResultType]::ParameterValue, 'Speed, parity, addresses as stored; on a CAN bus node, rate, channels')
             [CompletionResult]::new('set', 'set', [CompletionResultType]::ParameterValue, 'Brings the drive to another speed, parity or address')
             break
         }

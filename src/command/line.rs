@@ -36,7 +36,7 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
-    /// Speed, parity, addresses as stored; on a CAN bus node, bit rate, channels
+    /// Speed, parity, addresses as stored; on a CAN bus node, rate, channels
     Show,
     /// Brings the drive to another speed, parity or address
     #[command(arg = present("baud", "now-baud"), arg = present("parity", "now-parity"), arg = present("address", "now-address"))]
