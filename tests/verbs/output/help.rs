@@ -188,6 +188,7 @@ fn every_example_works() {
         let line = line.replace("record.csv", "{dir}/record.csv").replace("ramp.svg", "{dir}/ramp.svg");
         let line = line.replace("plant.toml", "{dir}/plant.toml");
         let line = line.replace("mixer.toml", "{dir}/mixer.toml");
+        let line = line.replace(" drive.toml", " {dir}/drive.toml").replace("input.svg", "{dir}/input.svg");
         let line = line.replace("bus.toml", "{dir}/bus.toml").replace("bus.svg", "{dir}/bus.svg");
         let line = line.replace("--dcf .", "--dcf {dir}");
         let line = line.replace("base.", "{dir}/base.").replace("extra.toml", "{dir}/extra.toml");
@@ -213,6 +214,7 @@ fn every_example_works() {
             .file("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml"))
             .file("list.csv", "Nr.;Name\n1500;Head\n")
             .file("pump.toml", "antrieb = 1\ndrive.family = \"act\"\nvalues.372 = 1390\n")
+            .file("drive.toml", "antrieb = 1\ndrive.family = \"acu\"\n[values]\n562 = \"1\"\n564 = \"-70.00 %\"\n")
             .file("base.toml", BASE)
             .file("extra.toml", BASE)
             .file("plant.toml", PLANT)
