@@ -125,18 +125,6 @@ async fn connect<'a>(
     open(&port, settings, registry, interrupt, observe).await
 }
 
-/// Refuses a conversation where PROFIBUS is spoken: not a byte of another protocol goes out on its line.
-fn not_over_profibus(settings: &Settings) -> Result<(), Failure> {
-    if !settings.profibus {
-        return Ok(());
-    }
-    let message = both!("this does not go over PROFIBUS-DP", "das geht nicht über PROFIBUS-DP");
-    Err(Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
-        "`antrieb profibus live` tells who is on the line and how he answers, `sniff` what goes over it",
-        "`antrieb profibus live` zeigt, wer an der Leitung ist und wie er antwortet, `sniff`, was darüber geht"
-    )))
-}
-
 /// The same, to listen only where it is a CAN bus.
 async fn listen<'a>(
     settings: &Settings,

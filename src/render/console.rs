@@ -305,8 +305,11 @@ impl Inner {
         }
     }
 
+    /// What was written is out, if that is waited for.
     fn settle(&mut self) {
-        settle(&mut *self.err, self.waits);
+        if self.waits {
+            let _closed = self.err.flush();
+        }
     }
 
     fn progress(&mut self, name: String, done: u64, total: u64, what: &Text) {
@@ -355,13 +358,6 @@ impl Inner {
         bar.set_length(total);
         bar.set_position(done);
         bar.set_message(clean(what.get(self.lang)));
-    }
-}
-
-/// What was written is out, if that is waited for.
-fn settle(err: &mut dyn Write, waits: bool) {
-    if waits {
-        let _closed = err.flush();
     }
 }
 

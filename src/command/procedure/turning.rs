@@ -188,7 +188,7 @@ impl Guide<'_> {
         let begun = self.begin(turn);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let (address, record) = (record.address, RefCell::new(record));
-        let keeps = |change: &Change| lends(&record, path, change);
+        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change));
         let plan = Plan { keeps: Some(Keeps(&keeps)), ..Plan::of("reset", turn.title(), &motion) };
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
         let told = running::on_line(
@@ -204,7 +204,7 @@ impl Guide<'_> {
                 if before.state.starts_with("fault") { Ok(()) } else { Err(motion::no_fault()) }
             },
             async |motor, ()| {
-                begins(&record, path, begun)?;
+                noted(&record, path, |record| record.keep(begun))?;
                 motor.reset().await
             },
         )
@@ -249,9 +249,17 @@ impl Guide<'_> {
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let (address, record) = (record.address, RefCell::new(record));
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
-        let keeps = |change: &Change| lends(&record, path, change);
+        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change));
         let led = Led { keeps: Some(Keeps(&keeps)), ..led };
-        let told = sollwert::led(session, &mut around, address, led, || begins(&record, path, begun), then).await;
+        let told = sollwert::led(
+            session,
+            &mut around,
+            address,
+            led,
+            || noted(&record, path, |record| record.keep(begun)),
+            then,
+        )
+        .await;
         self.is_free_again();
         self.came(told?, deed)
     }
@@ -290,16 +298,14 @@ impl Guide<'_> {
     }
 }
 
-/// Notes what a setting was, on the disk, before a run changes it.
-fn lends(record: &RefCell<&mut ProcedureRecord>, path: &Path, change: &Change) -> Result<(), Failure> {
+/// Notes something on the disk, before a run changes what it is about.
+fn noted(
+    record: &RefCell<&mut ProcedureRecord>,
+    path: &Path,
+    note: impl FnOnce(&mut ProcedureRecord),
+) -> Result<(), Failure> {
     let mut record = record.borrow_mut();
-    record.lend(change);
-    record::save(path, &record)
-}
-
-fn begins(record: &RefCell<&mut ProcedureRecord>, path: &Path, begun: KeptStep) -> Result<(), Failure> {
-    let mut record = record.borrow_mut();
-    record.keep(begun);
+    note(&mut record);
     record::save(path, &record)
 }
 
