@@ -1,9 +1,11 @@
-//! What stands in angle brackets for what is to be typed, in the language of the text around it.
+//! What stands in brackets for what is to be typed, in the language of the text around it.
 
 use crate::text::{Lang, Text};
 
-/// Words of placeholders that are others in German.
-const GERMAN: [(&str, &str); 24] = [
+/// Words of placeholders that are others in German; several as one go before each of them.
+const GERMAN: &[(&str, &str)] = &[
+    ("FROM:TO:TIME", "VON:BIS:ZEIT"),
+    ("ADDR", "ADRESSE"),
     ("ADDRESS", "ADRESSE"),
     ("CHAR", "ZEICHEN"),
     ("COLUMN", "SPALTE"),
@@ -15,19 +17,33 @@ const GERMAN: [(&str, &str); 24] = [
     ("FILE", "DATEI"),
     ("FROM", "VON"),
     ("HEAD", "ÜBERSCHRIFT"),
+    ("KEY", "SCHLÜSSEL"),
     ("LANG", "SPRACHE"),
     ("LIST", "LISTE"),
     ("MODE", "BETRIEBSART"),
+    ("MODULE", "BAUGRUPPE"),
+    ("NAMES", "NAMEN"),
+    ("ORDER", "REIHENFOLGE"),
     ("PARITY", "PARITÄT"),
+    ("PATH", "PFAD"),
     ("PERCENT", "PROZENT"),
     ("PROTOCOL", "PROTOKOLL"),
+    ("SEARCH", "SUCHWORT"),
+    ("SET", "SATZ"),
     ("SETPOINT", "SOLLWERT"),
+    ("SETS", "SÄTZE"),
     ("SOURCE", "QUELLE"),
     ("STATE", "ZUSTAND"),
+    ("STEP", "SCHRITT"),
     ("TIME", "ZEIT"),
-    ("TO", "BIS"),
+    ("TO", "NACH"),
+    ("TYPE", "TYP"),
     ("VALUE", "WERT"),
+    ("WHAT", "WAS"),
+    ("WHEN", "WANN"),
+    ("WHO", "WER"),
     ("WORD", "WORT"),
+    ("WORDS", "WÖRTER"),
 ];
 
 /// A text with its placeholders in its own language.
@@ -39,25 +55,36 @@ pub(super) fn placed(text: &Text) -> Text {
 }
 
 fn german(text: &str) -> String {
-    let mut parts = text.split('<');
-    let before = parts.next().unwrap_or_default().to_owned();
-    parts.fold(before, |told, part| match part.split_once('>') {
-        Some((words, rest)) => told + "<" + &each_word(words) + ">" + rest,
-        None => told + "<" + part,
-    })
+    // What need not be typed stands in square ones.
+    [('<', '>'), ('[', ']')].into_iter().fold(text.to_owned(), |told, brackets| within(&told, brackets))
+}
+
+fn within(text: &str, (open, close): (char, char)) -> String {
+    let mut parts = text.split(open);
+    let mut told = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        told.push(open);
+        match part.split_once(close) {
+            Some((words, rest)) => {
+                told.extend([&of(words).map_or_else(|| each_word(words), str::to_owned), &*close.to_string(), rest])
+            }
+            None => told.push_str(part),
+        }
+    }
+    told
+}
+
+fn of(word: &str) -> Option<&'static str> {
+    GERMAN.iter().find(|row| row.0 == word).map(|row| row.1)
 }
 
 fn each_word(words: &str) -> String {
-    let of =
-        |word: &str| GERMAN.iter().find(|row| row.0 == word).map_or_else(|| word.to_owned(), |row| row.1.to_owned());
     let is_end = |letter: char| !letter.is_ascii_uppercase();
-    words
-        .split_inclusive(is_end)
-        .map(|part| {
-            let word = part.trim_end_matches(is_end);
-            of(word) + part.get(word.len()..).unwrap_or_default()
-        })
-        .collect()
+    let german = |part: &str| {
+        let word = part.trim_end_matches(is_end);
+        of(word).unwrap_or(word).to_owned() + part.get(word.len()..).unwrap_or_default()
+    };
+    words.split_inclusive(is_end).map(german).collect()
 }
 
 #[cfg(test)]
@@ -66,13 +93,9 @@ mod tests {
 
     #[test]
     fn placeholders_are_told_in_the_language_of_the_text() {
-        let told = placed(&Text::name("a < b: <PARAMETER=VALUE>... <FROM:TO:TIME> VALUE"));
-        assert_eq!(
-            told.get(Lang::De),
-            "a < b: <PARAMETER=VALUE>... <FROM:TO:TIME> VALUE"
-                .replace("=VALUE", "=WERT")
-                .replace("FROM:TO:TIME", "VON:BIS:ZEIT")
-        );
-        assert_eq!(told.get(Lang::En), "a < b: <PARAMETER=VALUE>... <FROM:TO:TIME> VALUE");
+        let english = "a < b: <PARAMETER=VALUE>... <FROM:TO:TIME> <FROM> <TO> [SETPOINT] [KEY=VALUE] VALUE [y/N] [";
+        let german = "a < b: <PARAMETER=WERT>... <VON:BIS:ZEIT> <VON> <NACH> [SOLLWERT] [SCHLÜSSEL=WERT] VALUE [y/N] [";
+        let told = placed(&Text::name(english));
+        assert_eq!((told.get(Lang::En), told.get(Lang::De)), (english, german));
     }
 }

@@ -374,6 +374,9 @@ impl Place {
         if self.verb() == "decode" && self.path.len() == 1 {
             return Some(format!("antrieb decode {}", self.decoded(word)?));
         }
+        if self.root.find_subcommand(word).is_some() {
+            return Some(format!("antrieb {word}"));
+        }
         let verb = self.root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
         Some(format!("antrieb {} {word}", verb.get_name()))
     }

@@ -227,6 +227,12 @@ impl Family {
         Err(LookupError::Unknown { query: query.to_owned(), near: near.collect() })
     }
 
+    /// Whether a parameter has this name, not only one that begins so.
+    pub fn has_name(&self, query: &str) -> bool {
+        let is_its = |param: &Param, query: &str| param.names().any(|name| same(name, query));
+        self.spelt(query).iter().any(|query| self.params.values().any(|param| is_its(param, query)))
+    }
+
     /// What was typed, and the same in the words of the names, if some of it is said in others.
     fn spelt(&self, query: &str) -> Vec<String> {
         let folded = fold(query);

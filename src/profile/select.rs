@@ -222,6 +222,11 @@ impl Selector {
         self.sets
     }
 
+    /// The name, if it is one.
+    pub fn name(&self) -> Option<&str> {
+        if let Who::Name(name) = &self.who { Some(name) } else { None }
+    }
+
     /// Whether data sets were named.
     pub fn names_sets(&self) -> bool {
         self.sets != DataSets::Unnamed

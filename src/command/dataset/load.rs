@@ -152,11 +152,14 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let drive = same_family(&mut session, &terms, address, (&family, &file.family_at, settings.force)).await?;
     same_product(&file, drive.product.as_deref(), settings.force)?;
     let mut plan = transaction::plan_back(&mut session, drive.target, &terms, back).await?;
+    let warning = other_port(&file, session.port());
+    plan.notes.extend(warning.iter().map(|warning| warning.message.clone()));
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
     // What somebody has changed since, or what cannot be read, stays; the others go back.
     let (forbidding, theirs): (Vec<Failure>, _) =
         std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == transaction::RUNNING);
     plan.failures = forbidding;
+    plan.notes.extend(theirs.iter().map(|failure| failure.message.clone()));
     if let Some(failure) = forbidden(&mut plan, &nothing_written()) {
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
@@ -166,7 +169,20 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
         Ok(None) => Applied::default(),
         Err(denied) => return not_agreed(denied, *ask, report, plan),
     };
-    Ok(undone_outcome(report, plan, theirs, undone))
+    let mut outcome = undone_outcome(report, plan, theirs, undone);
+    outcome.warnings.splice(0..0, warning);
+    Ok(outcome)
+}
+
+/// Ports get other names, and lines have drives of equal family and address: only the user knows which it is.
+fn other_port(file: &ParamFile, found: &str) -> Option<Warning> {
+    let of = file.head.saved.port.as_deref().filter(|of| *of != found)?;
+    let message = both!(
+        "{path} was left at {of}, this is {found}: make sure that it is the same drive",
+        "{path} ist an {of} entstanden, hier ist {found}: sicherstellen, dass es derselbe Antrieb ist",
+        path = file.path
+    );
+    Some(Warning { code: "undo.other_port".to_owned(), message })
 }
 
 /// Nobody said yes: where nobody could be asked, a script is told what it would have been asked about.
@@ -311,8 +327,8 @@ fn same_address(file: &ParamFile, at: (u8, u8), force: bool) -> Result<(), Failu
         at = shown(at)
     );
     Err(Failure::new(Class::Data, "data.other_drive", message).hint(both!(
-        "if the drive has another address now: --force; the values are compared all the same",
-        "wenn der Antrieb jetzt eine andere Adresse hat: --force; die Werte werden trotzdem verglichen"
+        "if the drive has another address now: --force; it takes back too what somebody has changed since",
+        "wenn der Antrieb jetzt eine andere Adresse hat: --force; es nimmt auch zurück, was seitdem jemand geändert hat"
     )))
 }
 

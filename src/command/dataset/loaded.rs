@@ -231,7 +231,15 @@ fn of_width_asked() -> Text {
 
 /// Why nothing would be written, if so.
 pub(in crate::command) fn would_be_in_the_way(failures: Vec<Failure>) -> Option<Failure> {
-    in_the_way(failures, &nothing_to_come())
+    // Nobody has asked the drive what it has already.
+    in_the_way(
+        failures,
+        &both!(
+            "unless the drive has it already, {so}",
+            "es sei denn, der Antrieb hat es schon: {so}",
+            so = nothing_to_come()
+        ),
+    )
 }
 
 /// The whole of it, with what takes effect later.

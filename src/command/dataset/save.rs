@@ -12,7 +12,7 @@ use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{Data, ErrorDoc, Outcome, SavedFile, Saves};
 use crate::profile::Family;
-use crate::profile::paramfile::{NotHeld, Scope, numbers};
+use crate::profile::paramfile::{Head, NotHeld, Scope, numbers};
 use crate::text::{Lang, both};
 use clap::Args as ClapArgs;
 use std::path::{Path, PathBuf};
@@ -62,7 +62,8 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
     for goal in &goals {
         session.allow(session.now(), <super::Args as Verb>::UPPER.drive);
         let one = match &goal.done {
-            Some(done) => Ok((options.there(goal, done, &session), None)),
+            Some(done) => same_drive(done, goal, (&session, None), settings.force)
+                .map(|()| (options.there(goal, done, &session), None)),
             None => save(options, &mut session, &terms, goal, (settings.force, settings.lang)).await,
         };
         let (row, failure) = match one {
@@ -105,7 +106,7 @@ async fn save(
     let mut before = Harvest::default();
     if let Some(opened) = &goal.before {
         opened.fits(&family.drive)?;
-        same_drive(opened, (goal.address, session.node()), drive.product.as_deref())?;
+        same_drive(opened, goal, (session, drive.product.as_deref()), force)?;
         before = resumed(opened);
     }
     let wanted = Wanted::of(scope, &family)?;
@@ -177,22 +178,39 @@ fn store<'g>(goal: &'g Goal, text: &str, done: &Harvest, force: bool) -> Result<
     Ok(Some(&goal.part))
 }
 
-/// What was begun with one drive is not gone on with by another: its values would stand among those of the first.
-fn same_drive(opened: &Opened, at: (u8, u8), product: Option<&str>) -> Result<(), Failure> {
-    let of = &opened.file.head.drive;
+/// What was begun with one drive is not gone on with by another: its values would stand among those of the first. A port may have another
+/// name by now, which only the user knows.
+fn same_drive(
+    opened: &Opened,
+    goal: &Goal,
+    (session, product): (&Session<'_>, Option<&str>),
+    force: bool,
+) -> Result<(), Failure> {
+    let Head { drive: of, saved, .. } = &opened.file.head;
+    let at = (goal.address, session.node());
     let is_place = of.address.is_none_or(|address| (address, of.node.unwrap_or(0)) == at);
     let is_product = of.product.as_deref().zip(product).is_none_or(|(of, found)| of == found);
-    if is_place && is_product {
+    let is_port = saved.port.as_deref().is_none_or(|port| port == session.port());
+    if is_place && is_product && (is_port || force) {
         return Ok(());
     }
+    let anew = both!("--force without --resume saves anew", "--force ohne --resume sichert neu");
+    let hint = match is_place && is_product {
+        true => both!(
+            "if it is the same one, --resume --force goes on; {anew}",
+            "ist es derselbe, setzt --resume --force fort; {anew}",
+            anew
+        ),
+        false => anew,
+    };
     let message = both!(
-        "{path} was begun with another drive (address {address})",
-        "{path} wurde mit einem anderen Antrieb begonnen (Adresse {address})",
+        "{path} is of another drive: address {address} at {port}",
+        "{path} ist von einem anderen Antrieb: Adresse {address} an {port}",
         path = opened.file.path,
-        address = of.address.unwrap_or(0)
+        address = of.address.unwrap_or(goal.address),
+        port = saved.port.as_deref().unwrap_or_else(|| session.port())
     );
-    Err(Failure::new(Class::Data, "data.other_drive", message)
-        .hint(both!("--force without --resume saves anew", "--force ohne --resume sichert neu")))
+    Err(Failure::new(Class::Data, "data.other_drive", message).hint(hint))
 }
 
 /// What an interrupted save had read.
@@ -222,13 +240,11 @@ fn leave_factory(done: &mut Harvest, family: &Family) {
 
 /// Says where what was read is kept, and how it goes on.
 fn unfinished(failure: Failure, goal: &Goal) -> Failure {
-    let (file, part) = (word(&goal.typed.display().to_string()), goal.part.display().to_string());
+    let (goes_on, part) = (goal.goes_on(), goal.part.display().to_string());
     let Failure { message, .. } = &failure;
     let message =
         both!("{message}; what was read stands in {part}", "{message}; was gelesen wurde, steht in {part}", message);
-    let hint =
-        both!("`antrieb dataset save {file} --resume` goes on", "`antrieb dataset save {file} --resume` setzt fort");
-    Failure { message, ..failure }.hint(hint)
+    Failure { message, ..failure }.hint(both!("`{goes_on}` goes on", "`{goes_on}` setzt fort"))
 }
 
 /// Says what stays of what was read where it cannot be written whole: what was kept on the way.
@@ -236,7 +252,7 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
     if files::found(&goal.part) != Some(false) {
         return failure;
     }
-    let (file, part) = (word(&goal.typed.display().to_string()), goal.part.display().to_string());
+    let (goes_on, part) = (goal.goes_on(), goal.part.display().to_string());
     let Failure { message, .. } = &failure;
     let message = both!(
         "{message}; {part} stays, with what was kept on the way",
@@ -244,10 +260,18 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
         message
     );
     let hint = both!(
-        "make room there, then `antrieb dataset save {file} --resume` reads the rest anew",
-        "dort Platz schaffen, dann liest `antrieb dataset save {file} --resume` das Übrige neu"
+        "make room there, then `{goes_on}` reads the rest anew",
+        "dort Platz schaffen, dann liest `{goes_on}` das Übrige neu"
     );
     Failure { message, ..failure }.hint(hint)
+}
+
+impl Goal {
+    /// The command that goes on; an older file in the place of the new one is replaced by --force alone.
+    fn goes_on(&self) -> String {
+        let replaces = if files::found(&self.file) == Some(false) { " --force" } else { "" };
+        format!("antrieb dataset save {} --resume{replaces}", word(&self.typed.display().to_string()))
+    }
 }
 
 impl Options {
@@ -423,6 +447,10 @@ mod tests {
             assert!(told.message.get(lang).contains(&part.display().to_string()), "{told:?}");
         }
         assert!(told.hint.is_some_and(|hint| hint.de.contains("--resume")));
+        // An older file in its place is replaced by --force alone.
+        std::fs::remove_dir(&file).unwrap();
+        std::fs::write(&file, "older").unwrap();
+        assert!(cut_short(failure(), &goal).hint.is_some_and(|hint| hint.en.contains("--resume --force`")));
         std::fs::remove_file(&part).unwrap();
         assert_eq!(cut_short(failure(), &goal).message, failure().message);
     }

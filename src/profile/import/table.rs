@@ -124,18 +124,15 @@ impl Odd {
         let cells = cells.iter().take(Self::SHOWN).map(|cell| format!("'{cell}'")).collect::<Vec<_>>().join(", ");
         let (what, count) = (&self.what, self.cells.len());
         let lines = ranges(self.cells.iter().filter_map(|(line, _)| u32::try_from(*line).ok()));
-        match count {
-            1 => both!("line {lines}: {cells}: {what}", "Zeile {lines}: {cells}: {what}", lines, cells, what),
-            _ => both!(
-                "lines {lines}, {count} cells ({cells}{more}): {what}",
-                "Zeilen {lines}, {count} Zellen ({cells}{more}): {what}",
-                lines,
-                count,
-                cells,
-                more,
-                what
-            ),
+        if count == 1 {
+            return both!("line {lines}: {cells}: {what}", "Zeile {lines}: {cells}: {what}", lines, cells, what);
         }
+        let (line, zeile) = if lines.contains([',', '-']) { ("lines", "Zeilen") } else { ("line", "Zeile") };
+        both!(
+            "{line} {lines}, {count} cells ({cells}{more}): {what}",
+            "{zeile} {lines}, {count} Zellen ({cells}{more}): {what}",
+            what
+        )
     }
 }
 

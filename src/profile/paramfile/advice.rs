@@ -7,6 +7,12 @@ pub(super) fn advice(text: &str, at: usize, error: &str) -> Option<Text> {
     if let Some(of_format) = of_format(error) {
         return of_format;
     }
+    if text.replace("\r\n", "").contains('\r') {
+        return Some(both!(
+            "its lines end with a carriage return alone: save it with line feeds (LF or CR LF)",
+            "die Zeilen enden nur mit einem Wagenrücklauf: mit Zeilenvorschub speichern (LF oder CR LF)"
+        ));
+    }
     let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let (before, line) = (text.get(..start)?, text.get(start..)?.lines().next()?);
     let (key, value) = line.split('#').next()?.split_once('=')?;
@@ -22,13 +28,33 @@ pub(super) fn advice(text: &str, at: usize, error: &str) -> Option<Text> {
     if value.is_empty() {
         return Some(no_value());
     }
-    let is_quoted = value.starts_with(['"', '\'', '[', '{']);
-    (!is_quoted && !key.is_empty()).then(|| {
+    const TYPOGRAPHIC: [char; 7] = ['“', '”', '„', '«', '»', '‘', '’'];
+    let plain = value.trim_matches(TYPOGRAPHIC);
+    if plain != value {
+        return Some(both!(
+            "quotes of a word processor are none here: {key} = \"{plain}\"",
+            "Anführungszeichen einer Textverarbeitung gelten nicht: {key} = \"{plain}\""
+        ));
+    }
+    let is_bare = |letter: char| letter.is_ascii_alphanumeric() || "-_.\"'".contains(letter);
+    if !key.is_empty() && !key.chars().all(is_bare) {
+        let value =
+            if value.parse::<f64>().is_ok() || is_quoted(value) { value.to_owned() } else { format!("\"{value}\"") };
+        return Some(both!(
+            "a name with a blank, an @ or an umlaut stands in quotes: \"{key}\" = {value}",
+            "ein Name mit Leerzeichen, @ oder Umlaut steht in Anführungszeichen: \"{key}\" = {value}"
+        ));
+    }
+    (!is_quoted(value) && !key.is_empty()).then(|| {
         both!(
             "a value with a comma or a unit stands in quotes: {key} = \"{value}\"",
             "ein Wert mit Komma oder Einheit steht in Anführungszeichen: {key} = \"{value}\""
         )
     })
+}
+
+fn is_quoted(value: &str) -> bool {
+    value.starts_with(['"', '\'', '[', '{'])
 }
 
 /// What helps where the TOML is right and does not fit the format; `None` where it is the TOML.

@@ -98,6 +98,9 @@ fn plain(value: &Value) -> String {
             if let Some(value) = reading(value) {
                 return value;
             }
+            if let [Some(name), Some(old), Some(new)] = CHANGE.map(|part| fields.get(part).map(plain)) {
+                return format!("{name} {old} -> {new}");
+            }
             let told = TOLD.iter().find(|told| told.iter().all(|name| fields.contains_key(*name)));
             let told = told.map(|told| {
                 let parts = told.iter().map(|name| fields.get(*name).map_or_else(String::new, plain));
@@ -130,6 +133,9 @@ const TOLD: [&[&str]; 8] = [
     &["name"],
     &["message"],
 ];
+
+/// What makes a record a change, of which nothing is known without what stood before and behind it.
+const CHANGE: [&str; 3] = ["name", "old", "new"];
 
 /// What makes a record the reading of a parameter.
 const READING: [&str; 2] = ["param", "value"];

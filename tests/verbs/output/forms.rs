@@ -276,8 +276,9 @@ fn records_stand_in_columns_of_their_own_in_csv() {
     assert_eq!([&line["test_asked"], &line["test_replies"], &line["test_silent"]], ["20", "20", "0"]);
     let bars: u64 = line["test_histogram_count"].split("; ").map(|bar| bar.parse::<u64>().unwrap()).sum();
     assert_eq!(bars, 20, "{line:?}");
-    let run = cells("-a 1 --yes sollwert 10Hz --enable --hold --duration 1s", ready);
+    let run = cells("-a 1 --yes sollwert 10Hz --enable --hold --duration 1s --watchdog 2s", ready);
     assert_eq!([&run["stop_choice"], &run["stop_acknowledged"], &run["stop_standing"]], ["ramp", "true", "true"]);
+    assert!(run["changed"].contains("P.413@0ram 0 -> 2"), "{}", run["changed"]);
     let steps =
         ["steps_transition", "steps_control", "steps_state", "steps_took_ms"].map(|name| run[name].split("; ").count());
     assert!(steps.iter().all(|count| *count == steps[0] && *count > 0), "{run:?}");

@@ -98,6 +98,14 @@ fn a_unit_behind_a_blank_is_named() {
 }
 
 #[test]
+fn a_verb_of_the_same_name_goes_before_one_within_another() {
+    for verb in ["plan", "apply", "check"] {
+        let told = antrieb(&format!("dataset {verb} x.toml")).run().err;
+        assert!(verb == "check" || told.contains(&format!("it is `antrieb {verb}`")), "{told}");
+    }
+}
+
+#[test]
 fn help_is_a_verb_and_says_in_german_that_it_is_english() {
     let [word, option] = ["help scan", "scan --help"].map(|line| antrieb(line).exits(0).out);
     assert_eq!(word, option);

@@ -192,6 +192,13 @@ fn an_undo_file_belongs_to_one_drive_and_leaves_what_somebody_changed_since() {
         told.err
     );
     run(&since, "--force").exits(0);
+    // Another line may have a drive of equal family and address: that is for the user to know, before he is asked and behind it.
+    let elsewhere = undo.replace("address = 3\n", "address = 1\n[saved]\nport = \"/dev/ttyUSB7\"\n");
+    let line = "-a 1 dataset undo {dir}/u.toml";
+    let asked = antrieb(line).on(FRESH).file("u.toml", &elsewhere).answered("n").exits(8).err;
+    assert!(asked.contains("was left at /dev/ttyUSB7, this is sim:"), "{asked}");
+    let told = antrieb(&format!("--yes {line}")).on(FRESH).file("u.toml", &elsewhere).json().exits(0);
+    assert!(told.warnings().contains(&"undo.other_port"), "{:#}", told.value);
     let none = run(&file("372 = 1400"), "").exits(7).err;
     assert!(none.contains("has no table [undo]"), "{none}");
     // That it is none goes before whose it is.
@@ -217,6 +224,16 @@ fn a_save_goes_on_with_the_drive_that_it_was_begun_with() {
     let part = "antrieb = 1\n[drive]\nfamily = \"act\"\naddress = 2\n[saved]\ncomplete = false\n[not-held]\nnot-asked = \"480\"\n[values]\n372 = 1400\n";
     let run = antrieb("-a 1 --drive ACT dataset save {dir}/x.toml --resume").on(FRESH).file("x.toml.part", part).json();
     assert_eq!(run.error()["code"], "data.other_drive", "{}", run.error());
+    // Family and address are alike on every line; a port that has another name by now is told by --force.
+    let part = part.replace("address = 2\n[saved]\n", "address = 1\n[saved]\nport = \"/dev/ttyUSB7\"\n");
+    let on = |more: &str| {
+        let line = format!("-a 1 --drive act dataset save {{dir}}/x.toml --resume {more}");
+        antrieb(&line).on(FRESH).file("x.toml.part", &part).json()
+    };
+    let other = on("").exits(7);
+    assert_eq!(other.error()["code"], "data.other_drive", "{}", other.error());
+    assert!(other.error()["hint"].as_str().unwrap().contains("--resume --force"), "{}", other.error());
+    on("--force").exits(0);
 }
 
 /// The file of the other pump is the commonest slip: it is said, and refuses nothing.

@@ -50,7 +50,7 @@ fn no_value_is_missing_from_a_file_that_is_complete() {
         assert_eq!((is_complete, run.exit), (is_whole, if is_whole { 0 } else { 9 }), "{disturb}: {}", run.err);
         if !is_complete {
             let file = run.text_of("pump.toml.part");
-            let resumed = antrieb("--json -a 1 dataset save {dir}/pump.toml --resume").on(&bench(""));
+            let resumed = antrieb("--json -a 1 dataset save {dir}/pump.toml --resume --force").on(&bench(""));
             let (is_complete, values) = count(&resumed.file("pump.toml.part", &file).exits(0));
             assert!(is_complete && values == all, "{disturb}: {values} of {all}");
         }

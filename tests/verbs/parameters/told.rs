@@ -123,6 +123,10 @@ fn what_is_wrong_with_a_line_comes_with_what_would_be_right() {
     for (values, place, hint) in [
         ("\"480\" = 12,5", "f.toml:5:", "stands in quotes: \"480\" = \"12,5\""),
         ("480 = 12.50 Hz", "f.toml:5:", "stands in quotes: 480 = \"12.50 Hz\""),
+        ("480@2 = 8", "f.toml:5:", "stands in quotes: \"480@2\" = 8\n"),
+        ("Rated Speed = 1450 rpm", "f.toml:5:", "stands in quotes: \"Rated Speed\" = \"1450 rpm\""),
+        ("480 = “8”", "f.toml:5:", "quotes of a word processor are none here: 480 = \"8\""),
+        ("480 = 8\r372 = 1400", "f.toml:5:", "save it with line feeds"),
         ("372 = 1400\n480 = 5\n480 = 6", "f.toml:7:1:", "line 6 has a value for it"),
         ("480 =", "f.toml:5:", "write the value behind `=`, or take the line out"),
         ("480 = \"\"", "f.toml:5:", "write the value behind `=`, or take the line out"),
