@@ -108,7 +108,7 @@ impl Target {
             return Err(AccessError::Unspeakable);
         };
         if let Some(no) = no(&said) {
-            return Err(AccessError::Refused(Refusal { no, cause: no.cause(), unheard: false }));
+            return Err(AccessError::Refused(Refusal { no, cause: no.cause(), unheard: false, taken: None }));
         }
         match route.misshapen(&said, kind) {
             Some(bytes) => Err(ExchangeError::Garbled { asked: 1, bytes }.into()),

@@ -67,8 +67,23 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
             (format!("error_{code}"), told)
         }
     };
-    let message =
-        both!("drive {address} refused: {said}{cause}", "Antrieb {address} lehnt ab: {said}{cause}", said, cause);
+    let stands = match refusal.taken {
+        Some(true) => both!(
+            "; read back, the new value stands there all the same",
+            "; zurückgelesen steht der neue Wert trotzdem dort"
+        ),
+        Some(false) => {
+            both!("; read back, the new value does not stand there", "; zurückgelesen steht der neue Wert nicht dort")
+        }
+        None => Text::default(),
+    };
+    let message = both!(
+        "drive {address} refused: {said}{cause}{stands}",
+        "Antrieb {address} lehnt ab: {said}{cause}{stands}",
+        said,
+        cause,
+        stands
+    );
     let mut failure = Failure::new(Class::Refused, format!("refused.{}", code.replace('-', "_")), message);
     if let No::Exception(exception) = refusal.no {
         failure = failure.with("exception", exception.code());
