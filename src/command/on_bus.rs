@@ -77,7 +77,8 @@ pub fn advised(outcome: Result<Outcome, Failure>) -> Outcome {
     Outcome { failure, ..outcome }
 }
 
-fn silent() -> Text {
+/// What to look at where nobody answers.
+pub fn silent() -> Text {
     both!(
         "somebody acknowledges on the bus, so bit rate and wiring fit; check the node (P.900), whether SDO2 is active (P.923; \
          --protocol sdo1 is the way without it), and whether the node is stopped: then only its serial plug answers",

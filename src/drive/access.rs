@@ -23,6 +23,8 @@ pub struct Refusal {
     pub cause: Option<u16>,
     /// The answer that told the cause was lost, and reading had cleared it.
     pub unheard: bool,
+    /// Of a write that may have been done all the same: whether its value stood there when it was read back.
+    pub taken: Option<bool>,
 }
 
 impl Refusal {
@@ -33,6 +35,12 @@ impl Refusal {
         }
         let row = self.cause.and_then(|cause| family.error(cause.into()));
         row.is_some_and(|row| row.denies)
+    }
+
+    /// Whether a write may have been done all the same: by its cause.
+    pub(super) fn leaves_open(self, family: &Family) -> bool {
+        let row = self.cause.and_then(|cause| family.error(cause.into()));
+        row.is_some_and(|row| row.leaves_open)
     }
 
     /// Whether it may be the width alone that was wrong: by its cause, or because an address is refused without one.

@@ -115,6 +115,10 @@ fn telegram_event(protocol: Protocol, known: Option<&Known>, record: &Record) ->
             "die Antwort, oder das Echo des Adapters: {said}",
             said
         ),
+        // On a bus of CAN everybody hears what is asked.
+        Verdict::Stray { .. } if told.can.is_some() && told.direction == Some("request") => {
+            both!("somebody else asks: {said}", "jemand anders fragt: {said}", said)
+        }
         Verdict::Stray { station } => both!(
             "not the answer, from address {station}: {said}",
             "nicht die Antwort, von Adresse {station}: {said}",
@@ -122,5 +126,7 @@ fn telegram_event(protocol: Protocol, known: Option<&Known>, record: &Record) ->
         ),
         _ => said,
     };
-    Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
+    // A frame of CAN that was too short is marked so, with bytes that did not come.
+    let hex = if told.can.is_some() && !told.check_ok { told.hex } else { Hex(&record.bytes).to_string() };
+    Event::Telegram { at_us: record.at.as_micros(), direction, hex, meaning }
 }

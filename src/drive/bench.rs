@@ -131,11 +131,13 @@ pub async fn serve_can(
     interrupt: &Interrupt,
     observe: &mut dyn FnMut(Event),
 ) -> Result<Simulate, Failure> {
-    let kbit = bus.rate() / 1_000;
-    let there = bus.nodes().map(|(model, node)| match node {
-        Some(0) => both!("{model} as the master, {kbit} kbit/s", "{model} als Master, {kbit} kbit/s"),
-        Some(node) => both!("{model} as node {node}, {kbit} kbit/s", "{model} als Knoten {node}, {kbit} kbit/s"),
-        None => both!("{model}, off the bus", "{model}, nicht am Bus"),
+    let there = bus.nodes().map(|(model, node, rate)| {
+        let kbit = rate / 1_000;
+        match node {
+            Some(0) => both!("{model} as the master, {kbit} kbit/s", "{model} als Master, {kbit} kbit/s"),
+            Some(node) => both!("{model} as node {node}, {kbit} kbit/s", "{model} als Knoten {node}, {kbit} kbit/s"),
+            None => both!("{model}, off the bus", "{model}, nicht am Bus"),
+        }
     });
     let there = there.collect();
     let (port, clients) = carry(bus, there, place, duration, interrupt, observe).await?;

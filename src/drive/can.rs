@@ -26,16 +26,39 @@ pub(super) async fn open(
 ) -> Result<Heard, Failure> {
     let (port, bit_rate) = (opening.port.to_string(), opening.line.baud);
     let rate = number(bit_rate).ok_or_else(|| trouble::bit_rate(bit_rate))?;
-    let opened = pump::run(&mut Conversation::new(rate), link, interrupt, None).await;
-    let opened = opened.map_err(|error| AccessError::from(error).failure(0, None))?;
+    let opened = opened(&mut Conversation::new(rate), link, interrupt).await;
+    let opened = opened.map_err(|error| error.failure(0, None))?;
     let opened = opened.map_err(|why| trouble::unopened(&port, bit_rate, &why))?;
     for note in notes(&port, &opened) {
         observe(Event::Note(note));
     }
-    forbidden(&opened.traffic, channel).map_or(Ok(()), Err)?;
+    let why = forbidden(&opened.traffic, channel);
     let heard = Rc::new(RefCell::new(opened.traffic));
     link.put_between(Box::new(Channel::new(channel, heard.clone())));
+    if let Some(why) = why {
+        link.part();
+        return Err(why);
+    }
     Ok(heard)
+}
+
+/// Carries an opening through. Whatever ends it early (a signal, a bit rate that is another one) leaves no channel open: an adapter whose
+/// program is gone would go on to take part in the bus.
+async fn opened(
+    opening: &mut Conversation,
+    link: &mut Link,
+    interrupt: &Interrupt,
+) -> Result<Result<Opened, Unopened>, AccessError> {
+    let end = pump::run(opening, link, interrupt, None).await;
+    if !matches!(end, Ok(Ok(_))) {
+        close(link);
+    }
+    Ok(end?)
+}
+
+/// Closes the channel of an adapter where nothing speaks over it so far.
+pub(super) fn close(link: &mut Link) {
+    link.push(Channel::farewell());
 }
 
 /// Opens the bus behind an adapter to listen only.
@@ -47,8 +70,8 @@ pub(super) async fn listen(
 ) -> Result<Ears, Failure> {
     let (port, bit_rate) = (opening.port.to_string(), opening.line.baud);
     let rate = number(bit_rate).ok_or_else(|| trouble::bit_rate(bit_rate))?;
-    let opened = pump::run(&mut Conversation::listening(rate), link, interrupt, None).await;
-    let opened = opened.map_err(|error| AccessError::from(error).failure(0, None))?;
+    let opened = opened(&mut Conversation::listening(rate), link, interrupt).await;
+    let opened = opened.map_err(|error| error.failure(0, None))?;
     let opened = opened.map_err(|why| trouble::unopened(&port, bit_rate, &why))?;
     notes(&port, &opened).into_iter().for_each(|note| observe(Event::Note(note)));
     let overheard = Ears::default();
@@ -71,11 +94,12 @@ pub(super) async fn reopen(
 ) -> Result<(), AccessError> {
     link.part();
     link.reopen().await?;
-    let opened = match number(bit_rate) {
-        Some(rate) => pump::run(&mut Conversation::new(rate), link, interrupt, None).await?.ok(),
+    let again = match number(bit_rate) {
+        Some(rate) => opened(&mut Conversation::new(rate), link, interrupt).await?.ok(),
         None => None,
     };
-    if opened.is_none_or(|opened| forbidden(&opened.traffic, channel).is_some()) {
+    if again.is_none_or(|opened| forbidden(&opened.traffic, channel).is_some()) {
+        close(link);
         return Err(LinkError::Unsent(link.adapter().name).into());
     }
     link.put_between(Box::new(Channel::new(channel, Heard::default())));
@@ -84,7 +108,7 @@ pub(super) async fn reopen(
 
 /// Speaks over another channel, or at another bit rate, from now on. At another rate the adapter is closed and the bus listened to before
 /// anything is sent; what was heard so far counts no more. [`LinkError::Unacknowledged`] where errors and no frame are heard there: then it
-/// is somebody else's rate, and the adapter only listens.
+/// is somebody else's rate, and the channel is closed.
 pub(super) async fn retune(
     link: &mut Link,
     channel: SdoChannel,
@@ -96,7 +120,7 @@ pub(super) async fn retune(
     if let Some(bit_rate) = bit_rate {
         link.part();
         let rate = number(bit_rate).ok_or(AccessError::Unspeakable)?;
-        match pump::run(&mut Conversation::new(rate), link, interrupt, None).await? {
+        match opened(&mut Conversation::new(rate), link, interrupt).await? {
             Ok(opened) => *heard.borrow_mut() = opened.traffic,
             Err(told) => {
                 let port = link.adapter().name;
@@ -181,5 +205,46 @@ impl Between for Channel {
 
     fn farewell(&self) -> &'static [u8] {
         Channel::farewell()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Registry;
+    use crate::simulator::Can;
+    use crate::transport::witness;
+
+    /// An adapter whose channel stays open takes part in the bus for nobody.
+    #[test]
+    fn a_channel_is_closed_whenever_its_opening_is_interrupted() {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        let registry = Registry::open(&[]).unwrap();
+        let mut was_open = false;
+        witness::call(true);
+        for moment in 0..40 {
+            runtime.block_on(async {
+                let mut link = Link::open_can(Can::standard(&registry));
+                let interrupt = Interrupt::default();
+                let signal = async {
+                    for _ in 0..moment {
+                        tokio::task::yield_now().await;
+                    }
+                    interrupt.raise();
+                };
+                let mut opening = Conversation::new(6);
+                let (end, ()) = tokio::join!(opened(&mut opening, &mut link, &interrupt), signal);
+                match end {
+                    Err(AccessError::Interrupted) => {}
+                    end => {
+                        was_open = true;
+                        end.unwrap().unwrap();
+                        close(&mut link);
+                    }
+                }
+            });
+            assert!(!witness::left_can().unwrap().is_open(), "{moment}");
+        }
+        assert!(was_open, "none was over before it was interrupted");
     }
 }

@@ -40,7 +40,7 @@ impl Session<'_> {
             None => (no.cause(), false),
         };
         // 0 is "nothing was refused": the register belongs to something else, or there is none.
-        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard }))
+        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard, taken: None }))
     }
 
     /// Asks why the drive said no, and tells whether the answer was lost.

@@ -1,6 +1,7 @@
 //! Reading the parameters of one drive into rows, whatever a verb wants of them.
 
 use super::motion::working;
+use super::transfer::is_alike;
 use super::{AccessError, Reading, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Value, Warning};
@@ -136,11 +137,18 @@ impl<'t, 'o> Reader<'t, 'o> {
                 if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
                     self.asked_widths.push(param.id);
                     let bits = reading.kind.bits().unwrap_or(0);
-                    let found = both!(
-                        "parameter {param}: {bits} bits wide, found out by asking",
-                        "Parameter {param}: {bits} Bit breit, durch Fragen ermittelt",
-                        param = param.id
-                    );
+                    let found = match self.target.is_untold(param.id) {
+                        true => both!(
+                            "parameter {param}: width not known, SDO does not tell it; --type names it",
+                            "Parameter {param}: Breite nicht bekannt, SDO nennt sie nicht; --type gibt sie an",
+                            param = param.id
+                        ),
+                        false => both!(
+                            "parameter {param}: {bits} bits wide, found out by asking",
+                            "Parameter {param}: {bits} Bit breit, durch Fragen ermittelt",
+                            param = param.id
+                        ),
+                    };
                     // Of a number that no catalogue knows nobody else says how it was read.
                     if self.session.is_verbose() || !param.is_known() {
                         self.session.tell(Event::Note(found));
@@ -160,7 +168,9 @@ impl<'t, 'o> Reader<'t, 'o> {
                     });
                 }
                 let lookup = |id: u32| self.modes.get(&id).copied();
+                let is_raw = self.target.is_untold(param.id) && !is_alike(reading.raw);
                 let value = describe::value(address, &self.target.family, param, reading, &lookup);
+                let value = if is_raw { Value { kind: None, value: None, ..value } } else { value };
                 self.warnings.extend(implausible(&value, param));
                 Ok(value)
             }

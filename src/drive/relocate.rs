@@ -260,7 +260,8 @@ impl Course {
             )
         };
         let way = Text::join([&self.from.text(), &self.to.text()], " -> ");
-        let besides = self.legs.iter().filter_map(|leg| bus::besides(leg.then));
+        let on_bus = self.legs.iter().filter(|_| self.from.line.is_can());
+        let besides = on_bus.filter_map(|leg| bus::besides(leg.then));
         self.legs.iter().map(step).chain([way]).chain(besides).collect()
     }
 

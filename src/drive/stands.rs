@@ -89,6 +89,16 @@ pub(super) async fn stands_at(
     read.map(|reading| reading.raw).map_err(|error| failure(&error, target, param))
 }
 
+/// The code of a data set that a drive has not got (CM-485 manual 6.6 and EM-RES-03 manual 5.10.1, code 2).
+pub(super) const NO_SUCH_SET: &str = "refused.data_set_not_permitted";
+
+/// The data sets of the RAM, as on the wire, that a drive says it has not got: what is not there holds nothing of its own, and takes
+/// nothing. One that it only does not show may hold something (code 3).
+pub(super) fn lacking(shown: &Stands) -> impl Iterator<Item = u8> {
+    let lacks = |raw: &Result<i64, Failure>| raw.as_ref().is_err_and(|failure| failure.code == NO_SUCH_SET);
+    shown.iter().filter(move |(_, raw)| lacks(raw)).map(|(set, _)| *set)
+}
+
 fn failure(error: &AccessError, target: &Target, param: &Param) -> Failure {
     error.failure(target.address, Some(&target.family)).with("param", param.id)
 }

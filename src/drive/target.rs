@@ -7,7 +7,7 @@ use crate::exchange::ExchangeError;
 use crate::profile::{Family, Param, Role, Type};
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// A drive on the line.
@@ -27,6 +27,8 @@ pub struct Target {
     pub(super) apart: Vec<u32>,
     /// Widths that were found out by asking, for this run.
     pub(super) widths: BTreeMap<u32, Type>,
+    /// Parameters whose width neither anybody has told nor the line tells.
+    pub(super) unstated: BTreeSet<u32>,
     /// What the error register held before identifying the drive could overwrite it, or why nobody knows that any more.
     pub(super) kept_register: Option<Result<u16, ExchangeError>>,
     /// It refused a question while it was recognised, which is its last synchronous error now.
@@ -46,6 +48,7 @@ impl Target {
             introduced: false,
             apart: Vec::new(),
             widths: BTreeMap::new(),
+            unstated: BTreeSet::new(),
             kept_register: None,
             refused_on_the_way: false,
             known_watchdog: None,

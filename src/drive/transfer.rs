@@ -64,6 +64,9 @@ impl Target {
             return self.read_once(session, param, cell).await;
         }
         let stated = self.widths.get(&param.id).copied().or(param.kind);
+        if stated.is_none() && !proves_width(session, param) {
+            self.unstated.insert(param.id);
+        }
         let first = stated.unwrap_or(Type::Word);
         let error = match self.read_as(session, param, cell, first).await {
             Ok(reading) => return Ok(self.found(param, reading)),
@@ -105,7 +108,7 @@ impl Target {
             return Err(AccessError::Unspeakable);
         };
         if let Some(no) = no(&said) {
-            return Err(AccessError::Refused(Refusal { no, cause: no.cause(), unheard: false }));
+            return Err(AccessError::Refused(Refusal { no, cause: no.cause(), unheard: false, taken: None }));
         }
         match route.misshapen(&said, kind) {
             Some(bytes) => Err(ExchangeError::Garbled { asked: 1, bytes }.into()),
@@ -241,6 +244,12 @@ impl Target {
     /// Uses this width for a parameter, whatever the catalogue says.
     pub fn set_width(&mut self, param: u32, kind: Type) {
         self.widths.insert(param, kind);
+        self.unstated.remove(&param);
+    }
+
+    /// Whether nobody has told the width of a parameter, nor did its answer.
+    pub(super) fn is_untold(&self, param: u32) -> bool {
+        self.unstated.contains(&param)
     }
 }
 
@@ -273,11 +282,19 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
     }
 }
 
-/// Whether nobody knows what this value of a parameter is: over SDO no answer tells a width (EM-RES-03 manual 5.10.1), and outside of this
-/// range a word and a long are not the same.
+/// Whether nobody knows what this value of a parameter is.
 pub(super) fn hides_width(session: &Session<'_>, param: &Param, raw: i64) -> bool {
-    let is_alike = (0..=i64::from(i16::MAX)).contains(&raw);
-    matches!(session.protocol(), Protocol::Sdo(_)) && param.kind.is_none() && !is_alike
+    !proves_width(session, param) && !is_alike(raw)
+}
+
+/// Whether the width of a parameter is certain once it was read: no source tells it, and over SDO no answer does (EM-RES-03 manual 5.10.1).
+pub(super) fn proves_width(session: &Session<'_>, param: &Param) -> bool {
+    param.kind.is_some() || !matches!(session.protocol(), Protocol::Sdo(_))
+}
+
+/// Whether a word and a long that hold this are the same over SDO.
+pub(super) fn is_alike(raw: i64) -> bool {
+    (0..=i64::from(i16::MAX)).contains(&raw)
 }
 
 /// Whether a reply carries its length, so that it tells a width by itself.

@@ -67,8 +67,23 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
             (format!("error_{code}"), told)
         }
     };
-    let message =
-        both!("drive {address} refused: {said}{cause}", "Antrieb {address} lehnt ab: {said}{cause}", said, cause);
+    let stands = match refusal.taken {
+        Some(true) => both!(
+            "; read back, the new value stands there all the same",
+            "; zurückgelesen steht der neue Wert trotzdem dort"
+        ),
+        Some(false) => {
+            both!("; read back, the new value does not stand there", "; zurückgelesen steht der neue Wert nicht dort")
+        }
+        None => Text::default(),
+    };
+    let message = both!(
+        "drive {address} refused: {said}{cause}{stands}",
+        "Antrieb {address} lehnt ab: {said}{cause}{stands}",
+        said,
+        cause,
+        stands
+    );
     let mut failure = Failure::new(Class::Refused, format!("refused.{}", code.replace('-', "_")), message);
     if let No::Exception(exception) = refusal.no {
         failure = failure.with("exception", exception.code());
@@ -128,6 +143,7 @@ fn sorted(error: &ExchangeError, address: u8) -> (Class, &'static str) {
         ExchangeError::Silence { .. } => (Class::Silence, "silence.no_reply"),
         ExchangeError::Unreached => (Class::Silence, "silence.gateway"),
         ExchangeError::Garbled { .. } => (Class::Garbled, "garbled.no_valid_reply"),
+        ExchangeError::Short { .. } => (Class::Garbled, "garbled.short"),
         ExchangeError::Stray { station } if *station == address => (Class::Garbled, "garbled.wrong_answer"),
         ExchangeError::Stray { .. } => (Class::Garbled, "garbled.wrong_responder"),
         ExchangeError::NeverSilent { .. } => (Class::Garbled, "garbled.never_silent"),
@@ -148,6 +164,13 @@ fn said(error: &ExchangeError, address: u8) -> Text {
             (both!("the gateway got no answer from the station", "das Gateway bekam keine Antwort der Station"), None)
         }
         ExchangeError::Garbled { asked, bytes } => (came_garbled(*asked, bytes.len()), None),
+        ExchangeError::Short { asked, bytes } => (
+            both!(
+                "answers with {bytes} bytes, where every SDO has 8",
+                "antwortet mit {bytes} Bytes, wo jedes SDO 8 hat"
+            ),
+            Some(*asked),
+        ),
         ExchangeError::Stray { station } if *station == address => (
             both!(
                 "answers with a telegram that does not fit the question",

@@ -96,6 +96,13 @@ impl Target {
                     session.bears(&error, tries).await?;
                     Some(error)
                 }
+                // The manual leaves open what an EEPROM that fails has taken, and what an unknown error is.
+                Err(AccessError::Refused(no))
+                    if read_back && no.leaves_open(&self.family) && !session.is_insisting() =>
+                {
+                    let now = self.read_set(session, param, set).await.ok();
+                    return Err(AccessError::Refused(Refusal { taken: now.map(|now| now.raw == raw), ..no }));
+                }
                 Err(error) => return Err(error),
             };
             if !read_back {

@@ -222,6 +222,11 @@ pub(super) trait Speech {
         None
     }
 
+    /// How many bytes an answer has that is too short for one, where what carries telegrams tells that.
+    fn shortness(&self, _: &[u8]) -> Option<u8> {
+        None
+    }
+
     /// The station that is asked, and what, if this is a telegram that can only come from a master. A reply to an order looks
     /// like the order, and a survey orders nothing.
     fn question(&self, bytes: &[u8]) -> Option<(u8, Question)>;

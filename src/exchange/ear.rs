@@ -224,6 +224,22 @@ mod tests {
         assert!(kinds(&[]).is_empty());
     }
 
+    /// A bus brings what another tool asks and is answered in one piece with ours.
+    #[test]
+    fn frames_of_sdo_that_come_at_once_are_told_one_by_one() {
+        use crate::protocol::Protocol;
+        use crate::protocol::can::{Frame, SdoChannel, Telegram};
+        let sdo = Dialect::new(Protocol::Sdo(SdoChannel::Two));
+        let asked = Telegram::request(SdoChannel::Two, 5, [0x40, 0x9B, 1, 0, 0, 0, 0, 0]).unwrap().encode();
+        let short = Telegram::cut_short(&Frame::data(0x5C5, &[0x42, 0x9B, 1]).unwrap()).unwrap();
+        let bytes = [asked, short, asked].concat();
+        let told: Vec<_> =
+            pieces(sdo, &bytes).into_iter().map(|(piece, bytes)| (piece, sdo.shortness(bytes))).collect();
+        let stray = Piece::Stray(5, None);
+        assert_eq!(told, [(stray.clone(), None), (stray.clone(), Some(3)), (stray, None)]);
+        assert_eq!((sdo.shortness(&asked), sdo.shortness(&short[1..])), (None, None));
+    }
+
     #[test]
     fn of_what_is_open_the_last_bytes_are_kept() {
         let mut ear = Ear::default();

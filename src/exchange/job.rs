@@ -115,6 +115,8 @@ pub(super) struct Waiting {
     /// The echo of the telegram has been taken away already.
     pub(super) echoed: bool,
     pub(super) stray: Option<u8>,
+    /// Bytes of an answer that was too short for one.
+    pub(super) short: Option<u8>,
     pub(super) garbage: Vec<u8>,
     /// An answer that is believed only if no other comes.
     pub(super) held: Option<Held>,
@@ -223,6 +225,7 @@ impl Waiting {
             last: sent_end,
             echoed: false,
             stray: None,
+            short: None,
             garbage: Vec::new(),
             held: None,
         }

@@ -180,6 +180,14 @@ pub enum ExchangeError {
         /// The station that answered.
         station: u8,
     },
+    /// The station answered with fewer bytes than an answer has.
+    #[error("an answer of {bytes} bytes, asked {asked} times")]
+    Short {
+        /// How often it was asked.
+        asked: u8,
+        /// Its bytes.
+        bytes: u8,
+    },
     /// A gateway says that the station did not answer it.
     #[error("the gateway got no answer from the station")]
     Unreached,
@@ -223,6 +231,7 @@ impl ExchangeError {
     pub fn behind(mut self, before: u8) -> Self {
         if let ExchangeError::Silence { asked, .. }
         | ExchangeError::Garbled { asked, .. }
+        | ExchangeError::Short { asked, .. }
         | ExchangeError::NeverSilent { asked }
         | ExchangeError::Unproven { asked }
         | ExchangeError::NoTime { asked } = &mut self

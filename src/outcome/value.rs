@@ -59,7 +59,7 @@ pub struct Value {
     pub store: &'static str,
     /// The value without its decimal point; null if it could not be read.
     pub raw: Option<i64>,
-    /// The value; null if it could not be read, or if nobody knows its decimals.
+    /// The value; null if it could not be read, or if nobody knows its decimals or its width.
     pub value: Option<Decimal>,
     /// Places behind the point, where a source tells them.
     pub decimals: Option<u8>,
@@ -69,7 +69,7 @@ pub struct Value {
     pub text: Option<Text>,
     /// The bits, if the parameter is a word.
     pub word: Option<Word>,
-    /// `uint`, `int`, `word`, `long`.
+    /// `uint`, `int`, `word`, `long`; null if nobody tells it. Of a value that was read, it is the width that nobody knows.
     #[serde(rename = "data_type")]
     pub kind: Option<&'static str>,
     /// Which catalogue the facts come from.

@@ -113,6 +113,9 @@ pub struct ErrorRow {
     /// To who reads, it says that the drive has no such parameter, or does not tell it.
     #[serde(default)]
     pub denies: bool,
+    /// To who writes, it does not say that nothing was written.
+    #[serde(default)]
+    pub leaves_open: bool,
     /// Takes the place of the same row of an earlier catalogue.
     #[serde(default)]
     pub(super) replace: bool,

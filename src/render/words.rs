@@ -257,6 +257,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("param", "Param"),
     ("present", "vorhanden"),
     ("range", "Bereich"),
+    ("raw, width not known", "roh, Breite nicht bekannt"),
     ("raw, decimals unknown", "roh, Nachkommastellen unbekannt"),
     ("remedy", "Abhilfe"),
     ("replies", "Antworten"),

@@ -150,8 +150,14 @@ impl Link {
 
     /// Says to an adapter that it is over, if there is one, and waits for nothing.
     pub fn part(&mut self) {
-        let Some(between) = self.between.take() else { return };
-        let (at, bytes) = (self.now(), between.farewell());
+        if let Some(between) = self.between.take() {
+            self.push(between.farewell());
+        }
+    }
+
+    /// Hands over bytes as they are, as far as that can be done at once, and waits for nothing.
+    pub fn push(&mut self, bytes: &[u8]) {
+        let at = self.now();
         let is_out = match &mut self.carrier {
             Carrier::Serial(link) => link.push(bytes),
             Carrier::Net(link) => link.push(bytes),

@@ -142,3 +142,26 @@ fn the_line_of_a_bus_is_the_place_on_it_and_a_shaft_is_not_commanded_over_it() {
         );
     }
 }
+
+/// Whatever is said to do next can be done on a CAN bus.
+#[test]
+fn a_drive_that_is_lost_is_searched_for_as_a_bus_can_be_searched() {
+    let gone = "[[drive.event]]\nafter_writes = 1\nsilent = \"10h\"\n";
+    let bench = bus("at-once", &[(5, "")]) + gone;
+    for typed in ["line set --baud 250000", "line set --address 7"] {
+        let run = antrieb(&format!("--protocol sdo -a 5 --yes {typed}")).on(&bench).json().exits(4);
+        assert_eq!(run.error()["code"], "silence.lost", "{:#}", run.value);
+        let hint = run.error()["hint"].as_str().unwrap();
+        assert!(hint.contains("scan` asks every node at one bit rate") && !hint.contains("auto"), "{hint}");
+    }
+}
+
+#[test]
+fn whoever_gives_a_node_another_number_is_told_who_stays_unseen() {
+    let asked =
+        antrieb("--protocol sdo -a 5 line set --address 7").on(&bus("at-once", &[(5, "")])).answered("n").exits(8);
+    assert!(asked.err.contains("a stopped node"), "{}", asked.err);
+    let serial = "[[drive]]\nmodel = \"acu\"\naddress = 5\n";
+    let asked = antrieb("-a 5 line set --address 7").on(serial).answered("n").exits(8);
+    assert!(!asked.err.contains("stopped"), "{}", asked.err);
+}

@@ -103,3 +103,31 @@ fn no_end_at_any_telegram_over_sdo_is_called_done_or_as_before_and_is_not() {
     }
     assert!(["done", "back", "torn"].iter().all(|end| seen.contains(*end)), "{seen:?}");
 }
+
+/// A drive that has no sub-index 5 to 9 (EM-RES-03 manual 5.10.1 leaves that open) has no RAM that an undo could bring back: nothing is
+/// written there, and what is stored as before is as before.
+#[test]
+fn an_undo_behind_a_half_load_is_proven_where_a_drive_has_no_data_sets_of_the_ram() {
+    let text = format!("antrieb = 1\n[drive]\nfamily = \"acu\"\n[values]\n{BEFORE}\n[undo]\nvalues = {{ {CAME} }}\n");
+    for (reading, hides) in [("abort-2", true), ("ram", false)] {
+        // The load came as far as P.480.
+        let bench = format!(
+            "[readings]\nram_sets = \"{reading}\"\n[[drive]]\nmodel = \"acu\"\naddress = 1\nset = {{ \"480\" = 8, \"481@2\" = 12 }}\n"
+        );
+        let undo = "--protocol sdo -a 1 --yes dataset undo {dir}/u.toml";
+        let run = antrieb(undo).on(&bench).file("u.toml", &text).json().exits(0);
+        assert_eq!(ended(&run), "done", "{:#}", run.value);
+        let told = run.value["warnings"].to_string();
+        assert_eq!(told.contains("does not show its RAM"), hides, "{told}");
+        let bus = witness::left_can().unwrap();
+        assert_eq!(changed(&bus), []);
+        // One write to all four, or four.
+        assert!(bus.remarks().is_empty() && bus.counts()[2] <= 4, "{:?} {:?}", bus.counts(), bus.remarks());
+        let again = antrieb(undo).on(&bench.replace("= 8,", "= 5,")).file("u.toml", &text).json().exits(0);
+        assert_eq!(ended(&again), "done", "{:#}", again.value);
+        assert_eq!(witness::left_can().unwrap().counts()[2], 0);
+    }
+}
+
+const BEFORE: &str = "\"480\" = \"5 Hz\"\n\"481@2\" = \"12 Hz\"\n\"372\" = 1390\n\"400\" = 2";
+const CAME: &str = "\"480\" = \"8 Hz\", \"481@2\" = \"3 Hz\", \"372\" = 1440, \"400\" = 4";

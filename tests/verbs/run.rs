@@ -184,7 +184,7 @@ impl Run {
 fn beside_a_master(bus: &Can, line: &str) {
     /// What the judge of the bus calls what is none.
     const UNASKED: [&str; 3] = ["the network is the master drive's", "nothing but SDO and NMT", "a remote request"];
-    if bus.nodes().any(|(_, node)| node == Some(0)) {
+    if bus.nodes().any(|(_, node, _)| node == Some(0)) {
         let unasked = bus.remarks().iter().find(|remark| UNASKED.iter().any(|text| remark.contains(text)));
         assert!(unasked.is_none() && bus.orders().is_empty(), "antrieb {line}: {unasked:?}");
     }

@@ -110,8 +110,20 @@ fn another_tool_on_its_channel_is_left_alone() {
     let text = bus("[[foreign]]\nframe = \"647#409B010000000000\"\nevery = \"1s\"");
     let run = antrieb("--protocol sdo -a 5 read 411").on(&text).json().exits(8);
     assert_eq!(run.error()["code"], "forbidden.other_tool");
-    assert_eq!(left().counts()[0], 0);
+    let end = left();
+    assert!(end.counts()[0] == 0 && !end.is_open());
     antrieb("--protocol sdo1 -a 5 read 411").on(&text).exits(0);
+}
+
+/// Another tool that begins when the bus was listened to already: each of its frames is told as what it is, and none as garbage.
+#[test]
+fn what_another_tool_says_on_our_channel_is_no_garbage() {
+    let row = |frame: &str| format!("[[foreign]]\nframe = \"{frame}\"\nevery = \"2s\"\n");
+    let text = bus(&(row("646#40F4010000000000") + &row("5C6#80F401000B000000")));
+    let run = antrieb("--protocol sdo -a 6 --timeout 1s -v read 411").on(&text).exits(5);
+    assert!(run.err.contains("does not fit the question") && !run.err.contains("garbage"), "{}", run.err);
+    assert!(run.err.contains("somebody else asks: SDO2 node 6"), "{}", run.err);
+    assert!(run.err.contains("not the answer, from address 6: SDO2 node 6"), "{}", run.err);
 }
 
 #[test]
@@ -119,7 +131,9 @@ fn another_bit_rate_is_told_before_anything_is_sent() {
     let busy = bus("[bus]\nrate = 250000\n[[foreign]]\nframe = \"185#01\"\nevery = \"100ms\"");
     let run = antrieb("--protocol sdo -a 5 read 411").on(&busy).json().exits(5);
     assert_eq!(run.error()["code"], "garbled.bit_rate");
-    assert!(left().remarks().is_empty() && left_counts(&busy) == 0, "who only listens disturbs nobody");
+    let end = left();
+    assert!(!end.is_open(), "the channel is closed again");
+    assert!(end.remarks().is_empty() && left_counts(&busy) == 0, "who only listens disturbs nobody");
     antrieb("--protocol sdo -b 250000 -a 5 read 411").on(&busy).exits(0);
     // A silent bus shows it only when something was sent.
     let silent = bus("[bus]\nrate = 250000");
@@ -236,4 +250,42 @@ fn a_bus_with_a_master_is_only_listened_to() {
     let run = antrieb("--protocol sdo --force scan").on(&text).json().exits(0);
     assert_eq!(run.data("/drives/0/drive"), "acu");
     assert!(left().remarks().is_empty());
+}
+
+/// Every SDO has eight bytes (EM-RES-03 manual 5.10.1): who answers with fewer is there, and disturbed.
+#[test]
+fn who_answers_with_frames_that_are_too_short_is_told_as_that() {
+    let text = bus("[[foreign]]\nframe = \"5C6#429B0100\"\nevery = \"60ms\"");
+    let run = antrieb("--protocol sdo -a 6 read 411").on(&text).json().exits(5);
+    assert_eq!(run.error()["code"], "garbled.short", "{:#}", run.value);
+    assert!(run.error()["message"].as_str().unwrap().contains("4 bytes"), "{}", run.error());
+    assert!(is_clean(&left()));
+    let shown = antrieb("--protocol sdo -a 6 -v read 411").on(&text).exits(5);
+    assert!(shown.err.contains("5C6#42 9B 01 00"), "{}", shown.err);
+    let found = antrieb("--protocol sdo -a 1-10 scan").on(&text).json().exits(0);
+    let drives = found.data("/drives").as_array().unwrap();
+    let rows: Vec<_> = drives.iter().map(|row| (row["address"].as_u64(), row["drive"].as_str())).collect();
+    assert_eq!(rows, [(Some(5), Some("acu")), (Some(6), Some("unknown"))], "{:#}", found.value);
+    assert!(found.value.to_string().contains("4 bytes in place of 8"), "{:#}", found.value);
+    // Others are understood beside it.
+    antrieb("--protocol sdo -a 5 read 480").on(&text).exits(0);
+}
+
+/// An EEPROM that fails may have taken it, or the RAM alone (manual 5.10.1, code 6; CM-485 manual 7).
+#[test]
+fn what_a_refusal_leaves_open_is_read_back() {
+    for (reading, stands, result) in
+        [("", "does not stand there", "refused"), ("ram_reads = \"in-force\"", "stands there all the same", "unknown")]
+    {
+        let drive = format!("eeprom = {{ \"480@2\" = \"refuses\" }}\nreadings = {{ {reading} }}\n");
+        let over_sdo = format!("{}{drive}", bus(""));
+        let over_modbus = format!("[[drive]]\nmodel = \"acu\"\naddress = 5\n{drive}");
+        for (typed, bench) in [("--protocol sdo", over_sdo), ("", over_modbus)] {
+            let run = antrieb(&format!("{typed} -a 5 --yes write 480@2=6Hz")).on(&bench).json().exits(6);
+            assert_eq!(run.error()["code"], "refused.eeprom_write_error");
+            let message = run.error()["message"].as_str().unwrap();
+            assert!(message.contains(stands), "{typed}: {message}");
+            assert_eq!(*run.data("/values/0/result"), result, "{typed}: {message}");
+        }
+    }
 }

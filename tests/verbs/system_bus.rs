@@ -317,10 +317,31 @@ fn what_may_be_a_number_below_zero_is_neither_saved_nor_loaded() {
     let run = antrieb("--protocol sdo -a 5 dataset save {dir}/x.toml").on(&bench).exits(0);
     let text = run.text_of("x.toml");
     assert!(text.contains("no-known-width") && !text.contains("40000"), "{text}");
+    // Nothing that was asked proves a width.
+    assert!(!text.contains("[types]"), "{text}");
     let file = "antrieb = 1\ndrive.family = \"acu\"\nvalues.99 = 704\n";
     let run =
         antrieb("--protocol sdo -a 5 --yes dataset load {dir}/x.toml").on(&bench).file("x.toml", file).json().exits(7);
     assert_eq!(witness::left_can().unwrap().counts()[2], 0, "{:?}", run.error());
+}
+
+/// Over SDO no answer tells a width, so what may be a number below zero is shown raw, unless somebody says what it is.
+#[test]
+fn a_value_whose_width_nobody_tells_is_shown_raw_and_so_told() {
+    for (typed, raw, kind) in [
+        ("--protocol sdo -a 5 read 99", 40_000, Value::Null),
+        ("--protocol sdo -a 5 read 99 --type uint", 40_000, "uint".into()),
+        ("--protocol sdo -a 5 read 99 --type int", -25_536, "int".into()),
+        ("--protocol sdo -a 6 read 99", 704, "word".into()),
+    ] {
+        let bench = on_bus(&[(5, "\"99\" = 40000"), (6, "\"99\" = 704")]);
+        let table = antrieb(typed).on(&bench).exits(0);
+        let run = antrieb(typed).on(&bench).json().exits(0);
+        let row = run.data("/values/0");
+        assert_eq!((&row["raw"], &row["data_type"]), (&raw.into(), &kind), "{typed}: {row}");
+        assert_eq!(table.out.contains("width not known"), kind.is_null(), "{}", table.out);
+        assert!(row["value"].is_null() || !kind.is_null(), "{row}");
+    }
 }
 
 #[test]

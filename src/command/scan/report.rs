@@ -2,6 +2,7 @@
 
 use super::Args;
 use crate::args::Settings;
+use crate::command::on_bus::silent;
 use crate::drive::{Port, ScanResult, Searched, Talker, Yielded, ranges};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, FoundDrive, Outcome, Scan, Search, Warning};
@@ -302,7 +303,9 @@ fn go_on(settings: &Settings) -> Text {
 const NOBODY: &str = "no.drive_found";
 
 fn nobody(settings: &Settings) -> Failure {
-    let hint = if settings.unknown == crate::args::Unknown::default() {
+    let hint = if settings.line.is_can() {
+        silent()
+    } else if settings.unknown == crate::args::Unknown::default() {
         both!(
             "if the setting of the line is not known: --baud auto --parity auto --protocol auto (a drive leaves the \
              factory speaking VABus, P.395 = 0); else check whether A and B are swapped, and termination",

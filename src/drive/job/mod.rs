@@ -7,8 +7,10 @@ mod asked;
 
 pub use asked::{lines, look_again, question};
 
-use super::stands::{has_ram, in_ram};
-use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};
+use super::stands::{NO_SUCH_SET, has_ram, in_ram};
+use super::{
+    AccessError, Cell, Inquiry, Order, Reader, Refusal, Session, Target, Terms, WriteFate, describe, is_over, summary,
+};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writes};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
@@ -112,8 +114,8 @@ pub async fn prepare(
 /// Whether a parameter that cannot be read must not be written either: one that the drive does not have would end the
 /// run in the middle. Where the drive names another reason, such as that it can only be written, it may still be.
 fn forbids(failure: &Failure, force: bool) -> bool {
-    let names_another = failure.context.iter().any(|(key, code)| *key == "p11" && code != "0")
-        && !["refused.unknown_parameter", "refused.data_set_not_permitted"].contains(&failure.code.as_str());
+    let names_another = told_cause(failure).is_some_and(|code| code != "0")
+        && !["refused.unknown_parameter", NO_SUCH_SET].contains(&failure.code.as_str());
     failure.class != Class::Refused || !(force || names_another)
 }
 
@@ -174,8 +176,10 @@ pub async fn carry_out(
             continue;
         }
         if let Some(mut failure) = carry_step(session, &mut job.target, step, row, terms, permit).await {
-            let fails = failure.context.iter().any(|(key, code)| (*key, code.as_str()) == EEPROM_FAILED);
-            if fails && has_ram(&job.target, &step.param, step.set) {
+            if eeprom_failed(&failure)
+                && row.result == WriteResult::Refused
+                && has_ram(&job.target, &step.param, step.set)
+            {
                 failure.message = perhaps_in_ram(failure.message, &step.param, step.set);
                 row.error = Some(ErrorDoc::from(&failure));
             }
@@ -214,7 +218,12 @@ pub(in crate::drive) async fn carry_step(
             unproven(&fate, target, row)
         }
         Err((error, otherwise)) => {
-            row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
+            row.result = match error.refusal() {
+                // Whether it is stored as well, reading does not tell.
+                Some(Refusal { taken: Some(true), .. }) => WriteResult::Unknown,
+                Some(_) => WriteResult::Refused,
+                None => otherwise,
+            };
             let mut failure = error.failure(address, Some(&target.family));
             if row.result == WriteResult::Skipped {
                 failure.message = both!(
@@ -232,8 +241,16 @@ pub(in crate::drive) async fn carry_step(
     Some(failure)
 }
 
-/// Error register: the EEPROM did not take it (CM-485 manual 6.6).
-pub(in crate::drive) const EEPROM_FAILED: (&str, &str) = ("p11", "6");
+/// Whether the EEPROM did not take it (CM-485 manual 6.6).
+pub(in crate::drive) fn eeprom_failed(failure: &Failure) -> bool {
+    told_cause(failure) == Some("6")
+}
+
+/// The cause of a refusal, from the error register, or from the abort that tells the same (EM-RES-03 manual 5.10.1).
+fn told_cause(failure: &Failure) -> Option<&str> {
+    let cause = failure.context.iter().find(|(key, _)| ["p11", "abort"].contains(key));
+    cause.map(|(_, code)| code.as_str())
+}
 
 /// A write to the EEPROM goes into the RAM too (CM-485 manual 7), perhaps also where the EEPROM does not take it.
 fn perhaps_in_ram(why: Text, param: &Param, set: u8) -> Text {

@@ -4,7 +4,7 @@
 //! n parameters of which d differ take n + 5 d questions: the refusal, its cause, and four values for each that differs.
 
 use super::asked::Asking;
-use crate::drive::transfer::hides_width;
+use crate::drive::transfer::{hides_width, proves_width};
 use crate::drive::widths::{Rows, doubted, refusal};
 use crate::drive::{AccessError, Reading, Refusal, Session, Target, describe};
 use crate::failure::{Class, Failure};
@@ -205,12 +205,12 @@ impl Work<'_, '_> {
         }
         for reading in readings {
             // What whoever reads the file would not expect.
-            if param.kind.unwrap_or(Type::Word).bits() != reading.kind.bits() {
+            let kind = Some(reading.kind).filter(|_| proves_width(self.session, param));
+            if kind.is_some_and(|kind| param.kind.unwrap_or(Type::Word).bits() != kind.bits()) {
                 self.so_far.types.insert(param.id, reading.kind);
             }
             let (set, _) = describe::place(reading.set);
             let at = At { path: format!("drive {}", self.target.address).into(), line: 0, column: 0 };
-            let kind = Some(reading.kind);
             self.so_far.settings.insert(Setting { param: param.clone(), set, raw: reading.raw, kind, at });
         }
         self.so_far.forget(param.id);

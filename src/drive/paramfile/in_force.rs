@@ -4,29 +4,29 @@ use super::Asking;
 use crate::drive::stands::{has_ram, in_ram};
 use crate::drive::{Session, Target};
 use crate::profile::paramfile::{Settings, value_text};
-use crate::profile::{DataSets, Family, Param};
+use crate::profile::{DataSets, Family, Param, Sets};
 use crate::text::{Text, both};
 
-/// So many parameters in a row without a RAM tell that the drive does not show it.
+/// So many parameters of a kind in a row without a RAM tell that the drive does not show it.
 const MOST_HIDDEN: usize = 2;
 
 /// The values with which a drive works, of what it has stored, where they are other ones (RAM), and that it does not show them. Asked is until
 /// the drive refuses that or is gone: it is a note beside a comparison of what is stored.
 pub async fn in_force(session: &mut Session<'_>, target: &mut Target, stored: &Settings) -> Vec<Text> {
-    let (mut notes, mut hidden) = (Vec::new(), 0);
+    // A drive may have a RAM of what has data sets, and none of the rest.
+    let (mut notes, mut hidden) = (Vec::new(), [0, 0]);
     let params: Vec<Param> = stored.params().cloned().collect();
     for param in params {
         let places: Vec<(u8, i64)> =
             (0..=4).filter_map(|set| Some((set, stored.exactly(param.id, set)?.raw))).collect();
         let sets: Vec<u8> = places.iter().map(|(set, _)| *set).filter(|set| has_ram(target, &param, *set)).collect();
-        if sets.is_empty() {
+        let [with_sets, without] = &mut hidden;
+        let hidden = if param.sets == Some(Sets::Four) { with_sets } else { without };
+        if sets.is_empty() || *hidden >= MOST_HIDDEN {
             continue;
         }
         let Ok(shown) = in_ram(session, target, &param, &sets).await else { break };
-        hidden = if shown.is_empty() { hidden + 1 } else { 0 };
-        if hidden >= MOST_HIDDEN {
-            break;
-        }
+        *hidden = if shown.is_empty() { *hidden + 1 } else { 0 };
         for (ram, raw) in shown {
             let set = ram - DataSets::RAM_OFFSET;
             let beneath = places.iter().find(|(stored, _)| *stored == set).or_else(|| places.first());
@@ -41,12 +41,17 @@ pub async fn in_force(session: &mut Session<'_>, target: &mut Target, stored: &S
             }
         }
     }
-    if hidden > 0 {
-        notes.push(both!(
+    notes.extend(match hidden {
+        [0, 0] => None,
+        [0, _] if stored.params().any(|param| param.sets == Some(Sets::Four)) => Some(both!(
+            "the drive shows its RAM of what has data sets alone: what it works with otherwise until it is switched off is not compared",
+            "der Antrieb zeigt sein RAM nur von dem, was Datensätze hat: womit er sonst bis zum Ausschalten arbeitet, ist nicht verglichen"
+        )),
+        _ => Some(both!(
             "the drive does not show its RAM: what it works with until it is switched off is not compared",
             "der Antrieb zeigt sein RAM nicht: womit er bis zum Ausschalten arbeitet, ist nicht verglichen"
-        ));
-    }
+        )),
+    });
     notes
 }
 

@@ -32,6 +32,11 @@ pub(super) fn besides(then: Then) -> Option<Text> {
             "everybody else on this bus keeps the rate: nobody else may be on it, a silent one without SDO2 either",
             "alle anderen am Bus behalten die Bitrate: es darf niemand sonst daran sein, auch kein stiller ohne SDO2"
         )),
+        Then::Perhaps(Change::Address(_)) => Some(both!(
+            "a stopped node, and one without SDO2, answers nobody: that the new number is free is seen only as far as others answer",
+            "ein gestoppter Knoten und einer ohne SDO2 antwortet niemandem: dass die neue Nummer frei ist, zeigt sich nur, soweit andere \
+             antworten"
+        )),
         Then::Perhaps(Change::Channel(SdoChannel::One)) => Some(both!(
             "SDO1 is the master's: beside one this drive is out of reach then",
             "SDO1 gehört dem Master: neben einem ist dieser Umrichter dann nicht mehr erreichbar"

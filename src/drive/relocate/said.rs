@@ -181,8 +181,17 @@ pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&out
         later
     );
     let class = if cause.class == Class::Port { Class::Port } else { Class::Silence };
-    Failure { message, class, code: "silence.lost".to_owned(), ..cause }.hint(both!(
-        "check the cable; `antrieb scan --protocol auto --baud auto --parity auto` finds the drive wherever it is",
-        "Kabel prüfen; `antrieb scan --protocol auto --baud auto --parity auto` findet den Antrieb, wo er auch ist"
-    ))
+    let hint = match perhaps.iter().any(|place| place.line.is_can()) {
+        true => both!(
+            "check the wiring and both terminations; `antrieb scan` asks every node at one bit rate (-b 50000, 100000, 125000, 250000, \
+             500000 or 1000000, P.903); a stopped node answers over its serial plug alone",
+            "Verdrahtung und beide Abschlüsse prüfen; `antrieb scan` fragt alle Knoten mit einer Bitrate (-b 50000, 100000, 125000, \
+             250000, 500000 oder 1000000, P.903); ein gestoppter Knoten antwortet nur über seinen seriellen Anschluss"
+        ),
+        false => both!(
+            "check the cable; `antrieb scan --protocol auto --baud auto --parity auto` finds the drive wherever it is",
+            "Kabel prüfen; `antrieb scan --protocol auto --baud auto --parity auto` findet den Antrieb, wo er auch ist"
+        ),
+    };
+    Failure { message, class, code: "silence.lost".to_owned(), ..cause }.hint(hint)
 }

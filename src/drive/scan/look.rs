@@ -8,7 +8,7 @@ use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::drive::{describe, recognise};
 use crate::exchange::survey::{Attendance, Sign, Survey};
-use crate::exchange::{Answer, Talker};
+use crate::exchange::{Answer, ExchangeError, Talker};
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Family, Registry};
 use crate::protocol::Protocol;
@@ -40,6 +40,9 @@ pub(super) async fn look(
     match describe_drive(session, registry, sign, is_late).await {
         Ok(Some(drive)) => Ok(Sight::Drive(Box::new(drive), is_late.then(|| late(sign)))),
         Ok(None) => Ok(Sight::Nobody),
+        Err(AccessError::Exchange(ExchangeError::Short { bytes, .. })) => {
+            Ok(Sight::Drive(Box::new(stranger(session, sign.station, short(bytes))), None))
+        }
         Err(AccessError::Exchange(_)) => Ok(Sight::Garbled),
         Err(error) => Err(error),
     }
@@ -165,9 +168,18 @@ async fn confirm(session: &mut Session<'_>, address: u8) -> Result<Option<Answer
     let Some(question) = probe(session.protocol(), address) else { return Ok(None) };
     match session.ask(address, question).await {
         Ok(answer) => Ok(Some(answer)),
+        Err(error @ AccessError::Exchange(ExchangeError::Short { .. })) => Err(error),
         Err(AccessError::Exchange(_)) => Ok(None),
         Err(error) => Err(error),
     }
+}
+
+/// Whose answers are no SDO.
+fn short(bytes: u8) -> Text {
+    both!(
+        "node that answers SDO with {bytes} bytes in place of 8: no drive, or it is disturbed",
+        "Knoten, der SDO mit {bytes} statt 8 Bytes beantwortet: kein Umrichter, oder gestört"
+    )
 }
 
 fn late(sign: &Sign) -> Warning {

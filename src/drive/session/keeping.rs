@@ -82,7 +82,12 @@ impl<'a> Session<'a> {
         };
         tokio::select! {
             reopened = self.on_line(reopen) => reopened?,
-            () = interrupt.raised() => return Err(AccessError::Interrupted),
+            () = interrupt.raised() => {
+                if matches!(bus, Protocol::Sdo(_)) {
+                    can::close(&mut self.line.borrow_mut().link);
+                }
+                return Err(AccessError::Interrupted);
+            }
         }
         if let Some(name) = self.line.borrow().link.name() {
             name.clone_into(&mut self.port);

@@ -137,9 +137,8 @@ fn unproven(step: &Step, row: &mut Written) -> Option<Failure> {
 impl Plan {
     /// Where the EEPROM did not take a value, the RAM may have: of a drive that does not show it, nobody knows.
     fn doubt(&mut self, step: &Step, result: WriteResult, failure: &Failure) {
-        let fails = failure.context.iter().any(|(key, code)| (*key, code.as_str()) == job::EEPROM_FAILED);
         let is_hidden = has_ram(&self.job.target, &step.param, step.set) && self.behind(step).next().is_none();
-        if is_hidden && (fails || result == WriteResult::Differs) {
+        if is_hidden && (job::eeprom_failed(failure) || result == WriteResult::Differs) {
             self.blind.push(Kept::wanted(step));
         }
     }

@@ -5,13 +5,13 @@ use super::progress::{Doing, progress};
 use super::running::{Shaft, standstill};
 use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, unread_in_ram, unwatched, weigh};
 use crate::drive::job::{self, Job, Step};
-use crate::drive::stands::{has_ram, in_ram, stands};
+use crate::drive::stands::{has_ram, lacking, ram_stands, stands};
 use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{WriteResult, Written};
 use crate::profile::{DataSets, Family, Param, Sets, Store};
 use crate::text::{Text, both};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What there is to do.
 #[derive(Debug)]
@@ -22,6 +22,8 @@ pub struct Plan {
     pub(super) watched: Vec<Kept>,
     /// What stands in the RAM behind the places that are stored: a write to the EEPROM goes over it too.
     pub(super) in_force: Vec<Kept>,
+    /// Places of the RAM that the drive has not got: nothing can be written there.
+    pub(super) lacking: BTreeSet<(u32, u8)>,
     /// What is stored beneath places that are written in the RAM alone: a power loss brings it.
     pub(super) beneath: Vec<Kept>,
     /// Somewhere the RAM holds something else than what is told as stored, so this drive tells the two apart.
@@ -174,7 +176,9 @@ pub(super) async fn prepare(
             }
         };
         let told: Vec<u8> = old.iter().filter(|(_, raw)| raw.is_ok()).map(|(set, _)| *set).collect();
-        let ram = in_ram(session, target, &param, &told).await?;
+        let shown = ram_stands(session, target, &param, &told).await?;
+        plan.lacking.extend(lacking(&shown).map(|set| (param.id, set)));
+        let ram = shown.into_iter().filter_map(|(set, raw)| Some((set, raw.ok()?))).collect();
         plan.look_beneath(session, &param, &told).await?;
         plan.take(session, terms, purpose, spread(group, &old), &Stand { old, ram });
     }
@@ -196,6 +200,7 @@ impl Plan {
             job: Job { target, steps: Vec::new(), rows: Vec::new() },
             watched: Vec::new(),
             in_force: Vec::new(),
+            lacking: BTreeSet::new(),
             hidden: None,
             beneath: Vec::new(),
             tells_apart: false,

@@ -194,7 +194,8 @@ impl Plan {
     }
 
     /// Notes of which values only what is stored can be proven, because the drive does not show its RAM. What is stored as before
-    /// may stand there otherwise all the same, because a load may have come so far and no further: it goes into the RAM unread.
+    /// may stand there otherwise all the same, because a load may have come so far and no further: it goes into the RAM unread, where
+    /// the drive has one.
     pub(super) fn note_hidden(&mut self, session: &Session<'_>, terms: &Terms<'_>, purpose: &Purpose) {
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let is_due = |row: &Written| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged);
@@ -206,10 +207,19 @@ impl Plan {
         let is_open = |(step, row): &&(&Step, &Written)| {
             row.result == WriteResult::Unchanged && purpose.may_stand_otherwise(step)
         };
-        let unread: Vec<Step> = hidden.iter().filter(is_open).map(|(step, _)| in_ram_of(step)).collect();
+        let is_there = |step: &Step| !self.lacking.contains(&(step.param.id, step.set));
+        let unread = hidden.iter().filter(is_open).map(|(step, _)| in_ram_of(step));
+        let unread: Vec<Step> = unread.filter(is_there).collect();
+        // A drive may have a RAM of what has data sets, and none of the rest.
+        let of = match self.in_force.is_empty() {
+            true => Text::default(),
+            false => both!(" of {count} of these values", " von {count} dieser Werte", count = hidden.len()),
+        };
         self.hidden = Some(both!(
-            "drive {address} does not show its RAM: only what is stored is proven; switched off and on it works with that",
-            "Antrieb {address} zeigt sein RAM nicht: geprüft wird nur, was gespeichert ist; nach Aus- und Einschalten arbeitet er damit"
+            "drive {address} does not show its RAM{of}: only what is stored is proven; switched off and on it works with that",
+            "Antrieb {address} zeigt sein RAM{of} nicht: geprüft wird nur, was gespeichert ist; nach Aus- und Einschalten arbeitet er \
+             damit",
+            of
         ));
         unread.into_iter().for_each(|step| self.add_unread(session, terms, step));
     }

@@ -17,7 +17,7 @@ const WHO_ANSWERS: Text = Text::new(
     "-v zeigt die Telegramme; ist es ein Antrieb dieser Familie, oder ist ein zweiter Master am Bus?",
 );
 
-const ADVICE: [(&str, Text); 25] = [
+const ADVICE: [(&str, Text); 26] = [
     (
         "silence.no_reply",
         Text::new(
@@ -65,6 +65,15 @@ const ADVICE: [(&str, Text); 25] = [
         Text::new(
             "check baud rate and parity, two drives with the same address, termination and shielding",
             "Baudrate und Parität, doppelt vergebene Adressen, Abschluss und Schirmung prüfen",
+        ),
+    ),
+    (
+        "garbled.short",
+        Text::new(
+            "a drive always sends 8 (EM-RES-03 manual 5.10.1): is it another device, or does the adapter cut frames? `antrieb sniff` shows \
+             them",
+            "ein Umrichter sendet immer 8 (Anleitung EM-RES-03 5.10.1): ist es ein anderes Gerät, oder kürzt der Adapter die Frames? \
+             `antrieb sniff` zeigt sie",
         ),
     ),
     (

@@ -3,7 +3,7 @@
 use super::traffic::Traffic;
 use super::words::Words;
 use crate::protocol::can::slcan::Word;
-use crate::protocol::can::{SdoChannel, Service, Telegram, telegram_frame};
+use crate::protocol::can::{Frame, Identifier, SdoChannel, Service, Telegram, telegram_frame};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -48,14 +48,16 @@ impl Channel {
         told.into_bytes()
     }
 
-    /// The frames among what the adapter says that are SDOs of this kind.
+    /// The frames among what the adapter says that are SDOs of this kind, also those that are too short for one.
     pub fn take(&mut self, said: &[u8]) -> Vec<u8> {
         let mut telegrams = Vec::new();
         for word in self.words.feed(said) {
             match word {
                 Word::Frame { frame, .. } => {
                     self.traffic.borrow_mut().hears(&frame);
-                    telegrams.extend(Telegram::of(&frame).filter(|telegram| self.is_meant(telegram)));
+                    let whole = Telegram::of(&frame).map(|telegram| telegram.encode());
+                    let bytes = whole.or_else(|| Telegram::cut_short(&frame));
+                    telegrams.extend(bytes.filter(|_| self.is_meant(&frame)));
                 }
                 Word::Flags(flags) => self.flags = Some(flags),
                 Word::Refused => self.is_refused = true,
@@ -65,7 +67,7 @@ impl Channel {
         if !telegrams.is_empty() {
             self.unanswered = 0;
         }
-        telegrams.iter().take(MOST).flat_map(Telegram::encode).collect()
+        telegrams.into_iter().take(MOST).flatten().collect()
     }
 
     /// Whether the adapter refused something, once.
@@ -83,8 +85,9 @@ impl Channel {
         b"C\r"
     }
 
-    fn is_meant(&self, telegram: &Telegram) -> bool {
-        match telegram.service() {
+    fn is_meant(&self, frame: &Frame) -> bool {
+        let Identifier::Standard(identifier) = frame.identifier else { return false };
+        match Service::of(identifier) {
             Service::SdoReply(channel, _) | Service::SdoRequest(channel, _) => channel == self.sdo,
             _ => false,
         }

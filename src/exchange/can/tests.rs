@@ -2,7 +2,7 @@
 
 use super::{Channel, Opening, Unopened};
 use crate::exchange::{Conversation, Step};
-use crate::protocol::can::{SdoChannel, Telegram};
+use crate::protocol::can::{SdoChannel, Telegram, telegram_frame};
 use crate::tick::{Span, Tick};
 use proptest::prelude::*;
 use std::rc::Rc;
@@ -95,6 +95,10 @@ fn a_channel_passes_on_its_own_sdos_and_nothing_else() {
     assert!(channel.take(b"9B010033000000\rt5C5842").is_empty(), "the other channel");
     let reply = channel.take(b"9B010033000000\rT000005C50\r");
     assert_eq!(reply, [5, 0xC5, 0x42, 0x9B, 1, 0, 0x33, 0, 0, 0]);
+    // An answer that is too short is passed on as one that is none (EM-RES-03 manual 5.10.1: always eight bytes).
+    let short = channel.take(b"t5C54429B0100\rt5854429B0100\r");
+    assert_eq!((short.len(), Telegram::decode(&short)), (Telegram::LEN, None));
+    assert_eq!(telegram_frame(&short).unwrap().to_string(), "5C5#42 9B 01 00");
     // Nobody answers: the adapter is asked how the bus is, and tells.
     channel.put(&asked.encode());
     assert_eq!(channel.put(&asked.encode()), b"F\rt6458409B010000000000\r");

@@ -4,9 +4,10 @@
 use super::{Asks, Cut, Found, Question, STRAGGLE, Said, Says, Speech};
 use crate::protocol::Protocol;
 use crate::protocol::can::sdo::{Multiplexer, Reply, Request};
-use crate::protocol::can::{SdoChannel, Service, Telegram, duration, station};
+use crate::protocol::can::{Identifier, SdoChannel, Service, Telegram, duration, station, telegram_frame};
 use crate::protocol::line::LineSetting;
 use crate::tick::Span;
+use std::ops::Range;
 
 /// SDO over one of the channels, which has nothing to remember.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +65,16 @@ impl Says for Reply {
     }
 }
 
+/// The node of an answer that has fewer bytes than the eight of every SDO (EM-RES-03 manual 5.10.1), and how many.
+fn short(bytes: &[u8]) -> Option<(u8, u8)> {
+    let frame = telegram_frame(bytes).filter(|_| bytes.len() == Telegram::LEN && Telegram::decode(bytes).is_none())?;
+    let Identifier::Standard(identifier) = frame.identifier else { return None };
+    match Service::of(identifier) {
+        Service::SdoReply(_, node) => Some((node, u8::try_from(frame.bytes().len()).ok()?)),
+        _ => None,
+    }
+}
+
 impl Sdo {
     /// The station that a frame of this channel comes from, and what it says.
     fn reply(self, bytes: &[u8]) -> Option<(u8, Reply)> {
@@ -101,12 +112,23 @@ impl Speech for Sdo {
     }
 
     fn sender(&self, bytes: &[u8]) -> Option<(u8, Option<Said>)> {
-        let telegram = Telegram::decode(bytes)?;
+        let Some(telegram) = Telegram::decode(bytes) else {
+            return short(bytes).map(|(node, _)| (station(node), None));
+        };
         match telegram.service() {
             Service::SdoReply(_, node) => Some((station(node), Some(Said::Sdo(Reply::decode(telegram.data))))),
             Service::SdoRequest(_, node) => Some((station(node), None)),
             _ => None,
         }
+    }
+
+    /// What comes at once is frame behind frame.
+    fn reply_within(&self, bytes: &[u8]) -> Option<Range<usize>> {
+        (bytes.len() > Telegram::LEN).then_some(0..Telegram::LEN)
+    }
+
+    fn shortness(&self, bytes: &[u8]) -> Option<u8> {
+        short(bytes).map(|(_, len)| len)
     }
 
     fn question(&self, bytes: &[u8]) -> Option<(u8, Question)> {

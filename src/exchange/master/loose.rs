@@ -74,7 +74,10 @@ impl Master {
                     if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
                         job.heard = true;
                     }
-                    self.explain(at, station, said, bytes);
+                    // One that is too short was spoilt on its way, or is always so: it tells nothing.
+                    if self.dialect.shortness(bytes).is_none() {
+                        self.explain(at, station, said, bytes);
+                    }
                     self.tally.strays += 1;
                     Verdict::Stray { station }
                 }

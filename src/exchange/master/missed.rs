@@ -15,12 +15,16 @@ impl Master {
         if let Some(step) = is_open.then(|| self.leaves_open(now)).flatten() {
             return step;
         }
-        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
+        let Some(Job { phase: Phase::Reply(waiting), station, .. }) = &mut self.job else { return Step::Wait(now) };
         waiting.echoed |= rest.len() < came.len();
         // Garbage as long as a reply most likely was the reply.
         let mut is_spoilt = false;
         for (piece, bytes) in ear::pieces(self.dialect, rest) {
             match piece {
+                Piece::Stray(of, _) if of == *station && self.dialect.shortness(bytes).is_some() => {
+                    is_spoilt = true;
+                    waiting.short = self.dialect.shortness(bytes);
+                }
                 Piece::Stray(station, _) => waiting.stray = Some(station),
                 _ => {
                     is_spoilt |= bytes.len() >= self.dialect.shortest_reply();
@@ -32,16 +36,18 @@ impl Master {
         if now < deadline && (!is_spoilt || waiting.held.is_some()) {
             return Step::Wait(deadline);
         }
-        let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
+        let (stray, short, echoed) = (waiting.stray, waiting.short, waiting.echoed);
+        let garbage = std::mem::take(&mut waiting.garbage);
         let due = (!is_spoilt).then_some(waiting.sent_end + LATEST_REPLY);
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         job.echoed |= echoed;
         let asked = job.asked;
-        let error = match stray {
+        let error = match (stray, short) {
             _ if restless => ExchangeError::NeverSilent { asked },
+            (_, Some(bytes)) => ExchangeError::Short { asked, bytes },
             _ if !garbage.is_empty() => ExchangeError::Garbled { asked, bytes: garbage },
-            Some(station) => ExchangeError::Stray { station },
-            None => ExchangeError::Silence { timeout: job.limits.reply_timeout, asked },
+            (Some(station), _) => ExchangeError::Stray { station },
+            (None, _) => ExchangeError::Silence { timeout: job.limits.reply_timeout, asked },
         };
         self.miss(now, due, error)
     }

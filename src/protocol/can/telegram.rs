@@ -45,6 +45,18 @@ impl Telegram {
         (identifier <= Identifier::MAX_STANDARD).then_some(Telegram { identifier, data })
     }
 
+    /// The bytes for a frame of 11 bits with fewer than eight, so that they stand among whole ones and are taken for none: it is marked where
+    /// no identifier reaches, with its length, and the rest is zero.
+    pub fn cut_short(frame: &Frame) -> Option<[u8; Self::LEN]> {
+        let (Identifier::Standard(identifier), Body::Data(payload)) = (frame.identifier, &frame.body) else {
+            return None;
+        };
+        let len = u16::try_from(payload.bytes().len()).ok().filter(|len| *len < Payload::MOST as u16)?;
+        let mut data = [0; Payload::MOST];
+        data.iter_mut().zip(payload.bytes()).for_each(|(place, byte)| *place = *byte);
+        Some(Telegram { identifier: SHORT | len << LENGTH_AT | identifier, data }.encode())
+    }
+
     /// Its bytes.
     pub fn encode(&self) -> [u8; Self::LEN] {
         let [high, low] = self.identifier.to_be_bytes();
@@ -71,10 +83,20 @@ pub fn station(node: u8) -> u8 {
     if node == 0 { MASTER_STATION } else { node }
 }
 
-/// The frame that bytes stand for: two of the identifier, most significant first, and up to eight of data.
+/// Of a frame that was too short, above its identifier.
+const SHORT: u16 = 1 << 15;
+const LENGTH_AT: u32 = 12;
+
+/// The frame that bytes stand for: two of the identifier, most significant first, and up to eight of data; or one that was too short
+/// ([`Telegram::cut_short`]).
 pub fn telegram_frame(bytes: &[u8]) -> Option<Frame> {
     let (head, data) = bytes.split_first_chunk()?;
-    Frame::data(u16::from_be_bytes(*head), data)
+    let head = u16::from_be_bytes(*head);
+    if head & SHORT == 0 {
+        return Frame::data(head, data);
+    }
+    let len = usize::from((head & !SHORT) >> LENGTH_AT);
+    Frame::data(head & Identifier::MAX_STANDARD, data.get(..len)?)
 }
 
 /// Bits of a frame of 11 bits around its data, with the three between frames (ISO 11898-1), and those of each byte.

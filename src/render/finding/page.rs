@@ -187,7 +187,8 @@ impl Page {
             parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
         } else if is_unscaled(value) {
             let unit = value.unit.as_ref().map_or_else(String::new, |unit| format!(": {unit}"));
-            parts.push(format!("({}{unit})", self.word("raw, decimals unknown")));
+            let why = if value.kind.is_none() { "raw, width not known" } else { "raw, decimals unknown" };
+            parts.push(format!("({}{unit})", self.word(why)));
         }
         if value.unconfirmed.iter().any(|field| field == "row") {
             parts.push(format!("({})", self.word("unconfirmed")));

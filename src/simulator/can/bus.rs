@@ -98,14 +98,9 @@ impl Can {
         LineSetting { baud: 115_200, data_bits: 8, parity: Parity::None, stop_bits: 1 }
     }
 
-    /// Bits per second.
-    pub fn rate(&self) -> u32 {
-        self.rate
-    }
-
-    /// What is on it: word of the family, and its node, if it takes part.
-    pub fn nodes(&self) -> impl Iterator<Item = (&'static str, Option<u8>)> {
-        self.nodes.iter().map(|node| (node.device.model(), node.id))
+    /// What is on it: word of the family, its node, if it takes part, and its bits per second.
+    pub fn nodes(&self) -> impl Iterator<Item = (&'static str, Option<u8>, u32)> {
+        self.nodes.iter().map(|node| (node.device.model(), node.id, node.rate(self.rate)))
     }
 
     /// Raw value in the RAM of a node.

@@ -213,8 +213,16 @@ mod tests {
     #[test]
     fn the_example_is_a_bus_and_tells_every_reading() {
         let nodes: Vec<_> = bus(EXAMPLE).unwrap().nodes().collect();
-        assert_eq!(nodes, [("acu", Some(5)), ("acu", Some(0))]);
+        assert_eq!(nodes, [("acu", Some(5), 500_000), ("acu", Some(0), 500_000)]);
         are_told::<Reading>(EXAMPLE);
+    }
+
+    #[test]
+    fn a_node_may_have_another_bit_rate_than_its_bus() {
+        let text =
+            "[[drive]]\nmodel = \"acu\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\nset = { \"903\" = 8 }\n";
+        let rates: Vec<_> = bus(text).unwrap().nodes().map(|row| row.2).collect();
+        assert_eq!(rates, [500_000, 1_000_000]);
     }
 
     #[test]
