@@ -153,18 +153,23 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     same_product(&file, drive.product.as_deref(), settings.force)?;
     let mut plan = transaction::plan_back(&mut session, drive.target, &terms, back).await?;
     let warning = other_port(&file, session.port());
-    plan.notes.extend(warning.iter().map(|warning| warning.message.clone()));
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
     // What somebody has changed since, or what cannot be read, stays; the others go back.
     let (forbidding, theirs): (Vec<Failure>, _) =
         std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == transaction::RUNNING);
     plan.failures = forbidding;
-    plan.notes.extend(theirs.iter().map(|failure| failure.message.clone()));
     if let Some(failure) = forbidden(&mut plan, &nothing_written()) {
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
-    let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await {
+    // Whoever is asked is told it before; behind it each is told in its own place.
+    let told = plan.notes.len();
+    plan.notes.extend(
+        theirs.iter().map(|failure| &failure.message).chain(warning.iter().map(|warning| &warning.message)).cloned(),
+    );
+    let permit = permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await;
+    plan.notes.truncate(told);
+    let undone = match permit {
         Ok(Some(permit)) => transaction::undo(&mut session, &mut plan, &permit).await,
         Ok(None) => Applied::default(),
         Err(denied) => return not_agreed(denied, *ask, report, plan),

@@ -60,10 +60,10 @@ const MISTAKES: &[Mistake] = &[
     ),
     mistake(
         "dataset copy 1",
-        ["missing behind `dataset copy`: <TO>", "es fehlt hinter `dataset copy`: <BIS>"],
+        ["missing behind `dataset copy`: <TO>", "es fehlt hinter `dataset copy`: <NACH>"],
         [
             "it is called as `antrieb dataset copy <FROM> <TO> [PARAMETER]...`; `antrieb dataset copy -h` shows the rest",
-            "der Aufruf ist `antrieb dataset copy <VON> <BIS> [PARAMETER]...`; `antrieb dataset copy -h` zeigt das Übrige",
+            "der Aufruf ist `antrieb dataset copy <VON> <NACH> [PARAMETER]...`; `antrieb dataset copy -h` zeigt das Übrige",
         ],
     ),
     mistake(
