@@ -222,9 +222,12 @@ impl Selector {
         self.sets
     }
 
-    /// The name, if it is one.
-    pub fn name(&self) -> Option<&str> {
-        if let Who::Name(name) = &self.who { Some(name) } else { None }
+    /// Whether its name is a whole one, not only the first letters of one.
+    pub fn is_whole(&self, family: &Family) -> bool {
+        match &self.who {
+            Who::Name(name) => family.element(name).is_some() || family.has_name(name),
+            _ => true,
+        }
     }
 
     /// Whether data sets were named.

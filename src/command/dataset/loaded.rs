@@ -3,7 +3,7 @@
 use crate::command::again::word;
 use crate::command::{Context, terms, write};
 use crate::drive::job::{self, Step};
-use crate::drive::transaction::{Applied, NOT_SHOWN, Plan, SET, STORE, THEIRS, switch_off};
+use crate::drive::transaction::{Applied, CUTS, NOT_SHOWN, Plan, SET, STORE, THEIRS, switch_off};
 use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult, Written};
@@ -231,15 +231,13 @@ fn of_width_asked() -> Text {
 
 /// Why nothing would be written, if so.
 pub(in crate::command) fn would_be_in_the_way(failures: Vec<Failure>) -> Option<Failure> {
-    // Nobody has asked the drive what it has already.
-    in_the_way(
-        failures,
-        &both!(
-            "unless the drive has it already, {so}",
-            "es sei denn, der Antrieb hat es schon: {so}",
-            so = nothing_to_come()
-        ),
-    )
+    let so = nothing_to_come();
+    // Nobody has asked the drive, and what it has already cuts nothing.
+    let so = match failures.iter().all(|failure| failure.code == CUTS) {
+        true => both!("unless the drive has it already, {so}", "es sei denn, der Antrieb hat es schon: {so}", so),
+        false => so,
+    };
+    in_the_way(failures, &so)
 }
 
 /// The whole of it, with what takes effect later.

@@ -189,13 +189,13 @@ fn same_drive(
     let Head { drive: of, saved, .. } = &opened.file.head;
     let at = (goal.address, session.node());
     let is_place = of.address.is_none_or(|address| (address, of.node.unwrap_or(0)) == at);
-    let is_product = of.product.as_deref().zip(product).is_none_or(|(of, found)| of == found);
+    let is_alike = is_place && of.product.as_deref().zip(product).is_none_or(|(of, found)| of == found);
     let is_port = saved.port.as_deref().is_none_or(|port| port == session.port());
-    if is_place && is_product && (is_port || force) {
+    if is_alike && (is_port || force) {
         return Ok(());
     }
     let anew = both!("--force without --resume saves anew", "--force ohne --resume sichert neu");
-    let hint = match is_place && is_product {
+    let hint = match is_alike {
         true => both!(
             "if it is the same one, --resume --force goes on; {anew}",
             "ist es derselbe, setzt --resume --force fort; {anew}",

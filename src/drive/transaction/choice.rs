@@ -151,8 +151,8 @@ fn numbers(word: &str, family: &Family) -> Option<BTreeSet<u32>> {
     }
     let selector: Selector = word.parse().ok()?;
     // The first letters of a name may be a group in the words of the user: `rampen` are more than P.434.
-    let is_whole = selector.name().is_none_or(|name| family.has_name(name));
-    let found = Some(selector).filter(|selector| is_whole && !selector.names_sets())?.resolve(family).ok()?;
+    let meant = Some(selector).filter(|selector| selector.is_whole(family) && !selector.names_sets());
+    let found = meant?.resolve(family).ok()?;
     Some(found.into_iter().map(|one| one.param.id).collect())
 }
 

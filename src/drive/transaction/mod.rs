@@ -27,4 +27,4 @@ pub use meanwhile::{THEIRS, still_may};
 pub use plan::{Plan, plan};
 pub use running::RUNNING;
 pub use undo_file::{Coming, UndoFile, UndoPlace, WayBack, plan_back, way_back};
-pub use weigh::fits;
+pub use weigh::{CUTS, fits};

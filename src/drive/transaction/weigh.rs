@@ -127,6 +127,9 @@ fn allowed(step: &Step, kind: Option<Type>, reached: (&Family, Option<Role>)) ->
     typed.map_err(|error| wrong("data.width", error))
 }
 
+/// The code of a value that cuts the line.
+pub const CUTS: &str = "forbidden.cuts";
+
 /// Refuses what cuts the line: nobody could take it back over that line, nor prove that it came back.
 fn keeps_line(param: &Param, (family, own): (&Family, Option<Role>)) -> Result<(), Failure> {
     if !job::cuts(param, family, own) {
@@ -137,7 +140,7 @@ fn keeps_line(param: &Param, (family, own): (&Family, Option<Role>)) -> Result<(
         "{label} can cut the line at once, and what cuts the line cannot be taken back over it",
         "{label} kann die Leitung sofort kappen, und was sie kappt, lässt sich über sie nicht zurücknehmen"
     );
-    Err(Failure::new(Class::Forbidden, "forbidden.cuts", message).hint(both!(
+    Err(Failure::new(Class::Forbidden, CUTS, message).hint(both!(
         "`antrieb line set` and `antrieb protocol set` change the line and follow the drive; `antrieb write` sends a single value",
         "`antrieb line set` und `antrieb protocol set` stellen die Leitung um und folgen dem Antrieb; `antrieb write` sendet einen \
          einzelnen Wert"

@@ -20,10 +20,11 @@ impl Master {
         // Garbage as long as a reply most likely was the reply.
         let mut is_spoilt = false;
         for (piece, bytes) in ear::pieces(self.dialect, rest) {
+            let short = self.dialect.shortness(bytes);
             match piece {
-                Piece::Stray(of, _) if of == *station && self.dialect.shortness(bytes).is_some() => {
+                Piece::Stray(of, _) if of == *station && short.is_some() => {
                     is_spoilt = true;
-                    waiting.short = self.dialect.shortness(bytes);
+                    waiting.short = short;
                 }
                 Piece::Stray(station, _) => waiting.stray = Some(station),
                 _ => {

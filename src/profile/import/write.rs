@@ -85,7 +85,7 @@ pub fn write(target: &Target, drafts: &[Draft]) -> Written {
 }
 
 fn quoted(text: &str) -> String {
-    // JSON quotes as TOML's basic strings do: both know \" \\ \uXXXX.
+    // JSON quotes as TOML's basic strings do: both know \" \\ and \u with four digits.
     serde_json::Value::from(text).to_string()
 }
 

@@ -83,6 +83,9 @@ fn groups_parameters_and_data_sets_pick_what_is_written() {
     }
     let unknown = load(values, "--only pumps").exits(2).err;
     assert!(unknown.contains("'pumps' names no group") && unknown.contains("ramps"), "{unknown}");
+    // The first letters of P.434 in German, and the ramps of who types it.
+    let ramps = load(values, "--except rampen").exits(2).err;
+    assert!(ramps.contains("'rampen' names no group") && ramps.contains("ramps"), "{ramps}");
 }
 
 #[test]

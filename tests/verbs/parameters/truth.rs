@@ -132,7 +132,9 @@ fn a_dry_run_tells_what_would_be_refused() {
     for (values, more, code) in [("480 = 2000", "", 7), ("1376 = 3", "--only bus", 8)] {
         let document = load(FRESH, values, &format!("{more} --dry-run")).json().exits(code);
         assert_eq!(document.data("/values/0/result"), "refused");
-        assert!(document.error()["message"].as_str().unwrap().ends_with("nothing would be written"));
+        let message = document.error()["message"].as_str().unwrap();
+        assert!(message.ends_with("nothing would be written"));
+        assert_eq!(message.contains("unless the drive has it already"), code == 8, "{message}");
     }
 }
 

@@ -47,6 +47,10 @@ fn what_is_saved_is_equal_and_holds_the_elements_of_arrays() {
     let run = of("--yes dataset load {dir}/s.toml", &line("", "")).file("s.toml", &text).json().exits(0);
     assert!(results(&run).iter().all(|result| result == "unchanged"), "{:?}", results(&run));
     assert!(is_let_go(&later()));
+    // An element is named as it is typed elsewhere.
+    let line_of_one = "--dry-run dataset load {dir}/w.toml --only 916.2";
+    let run = of(line_of_one, &line("", "")).file("w.toml", &file(WANTED)).json().exits(0);
+    assert_eq!(results(&run), ["planned"]);
 }
 
 #[test]
