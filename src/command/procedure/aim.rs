@@ -5,8 +5,6 @@ use super::nameplate::{number, whole};
 use super::turning::{bounded, watchdog};
 use crate::args::StopArg;
 use crate::command::sollwert;
-use crate::drive::motion::working;
-use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::profile::{Family, Param, Role, value};
 use crate::text::{Text, both};
@@ -106,19 +104,6 @@ impl Aim {
 fn fits(param: &Param, raw: i64) -> Result<(), value::ValueError> {
     value::check_range(raw, param)?;
     param.kind.map_or(Ok(()), |kind| value::check_type(raw, kind, param))
-}
-
-/// The runs of the search, which the drive's own bounds must let it reach: a slow one, and one at half of the rated frequency.
-pub(super) async fn runs(
-    given: &Given,
-    session: &mut Session<'_>,
-    target: &mut Target,
-) -> Result<Vec<sollwert::Args>, Failure> {
-    let params = Params::of(&target.family)?;
-    let slow = Aim::of(given, &params)?.setpoint;
-    let rated = working(session, target, &params.rated).await?;
-    let raws = [slow].into_iter().chain(rated.map(|rated| rated / 2));
-    raws.map(|raw| run(raw, &params, StopArg::Coast, given)).collect()
 }
 
 /// The decimals of P.728: no manual prints them, and R.m.s. current P.211 has one.

@@ -2,6 +2,7 @@
 
 mod aim;
 mod analog;
+mod bounds;
 mod contact;
 mod dry;
 mod given;

@@ -2,7 +2,7 @@
 
 use super::given::{Given, bad};
 use super::guide::{Deed, Guide, Turn};
-use super::{aim, nameplate, record};
+use super::{nameplate, record};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::running::{self, Around, Plan};
 use crate::command::sollwert::{self, Led};
@@ -216,32 +216,6 @@ impl Guide<'_> {
         self.is_free_again();
         let ended = self.came(told?, deed);
         self.leaves_control(ended, deed)
-    }
-
-    /// Whether the drive's own bounds let every run of the procedure reach its setpoint: looked at before anything is written or turns.
-    pub(super) async fn fits_its_limits(&mut self) -> Result<(), Failure> {
-        let steps = self.procedure.steps_of(&self.record.drive);
-        let does = |act: Act| steps.iter().any(|step| step.act == act);
-        let (ramps, seeks) = (does(Act::Ramp), does(Act::Offset));
-        let mut target = self.known().await?;
-        let mut runs = Vec::new();
-        if ramps {
-            runs.push(run(&goal(self.given.get("ramp"), self.given)?, StopArg::Ramp, self.given)?);
-        }
-        if seeks {
-            runs.extend(aim::runs(self.given, &mut self.session, &mut target).await?);
-        }
-        for args in runs {
-            let fits = sollwert::fits(&mut self.session, &mut target, &args).await;
-            fits.map_err(|failure| match failure.code.as_str() {
-                "data.range" => Failure { hint: None, ..failure }.hint(both!(
-                    "raise that limit first, if motor and machine bear it; or begin anew with other values (--force)",
-                    "zuerst diese Grenze anheben, wenn Motor und Maschine das aushalten; oder mit anderen Werten von vorn beginnen (--force)"
-                )),
-                _ => failure,
-            })?;
-        }
-        Ok(())
     }
 
     fn test(&self) -> &str {
@@ -475,7 +449,7 @@ pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a step would run, for a dry run.
+/// What a step would run.
 pub(super) fn rehearsed(act: Act, given: &Given) -> Option<sollwert::Args> {
     let test = given.get("test").unwrap_or(TEST);
     match act {
