@@ -27,7 +27,7 @@ use crate::text::{Text, both};
 use crate::tick::Span;
 use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
-pub(in crate::command) use guided::{Led, led, rehearse};
+pub(in crate::command) use guided::{Led, fits, led, rehearse};
 use std::path::PathBuf;
 use told::{announce, begins_later, tells_more};
 use wanted::{Spoken, Wanted, spoken, understand};

@@ -44,7 +44,8 @@ pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedF
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 pub use procedure::{
-    GivenValue, KeptStep, Lent, Procedure, ProcedureRecord, ProcedureStep, ProcedureTold, Procedures, StepFate,
+    Answered, GivenValue, KeptStep, Left, Lent, Procedure, ProcedureRecord, ProcedureStep, ProcedureTold, Procedures,
+    StepFate, Stored,
 };
 pub use profibus::{Answers, BasicModule, LiveList, LiveStation, SlaveDiagnosis, StationChange, StationNews};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};

@@ -1,7 +1,7 @@
 //! What `procedure` did: guided work, step by step.
 
 use super::{Change, ErrorDoc, Motion, TelegramDoc};
-use crate::text::Text;
+use crate::text::{Text, both};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -26,7 +26,7 @@ pub struct Procedure {
     pub given: Vec<GivenValue>,
     /// Every step, in order.
     pub steps: Vec<ProcedureStep>,
-    /// Of a dry run: on what it depends.
+    /// Of a dry run: on what it depends. Else: what stands otherwise in the drive than before, and stays so.
     pub notes: Vec<Text>,
 }
 
@@ -146,6 +146,37 @@ pub struct ProcedureRecord {
     /// What a run has set in the RAM of the drive for its time and not given back yet; who goes on gives it back.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lent: Vec<Lent>,
+    /// What a run that was broken off had changed and somebody else has changed since: it is left alone.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left: Vec<Left>,
+    /// Who answered; null before it was asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub answered: Option<Answered>,
+    /// What its steps have written to stay: the drive with which it goes on has it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stored: Vec<Stored>,
+}
+
+/// What a drive tells of itself that does not change.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Answered {
+    /// Product code, if it tells one.
+    pub product: Option<String>,
+    /// Its option modules.
+    pub modules: Vec<String>,
+}
+
+/// A value that was written to stay.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Stored {
+    /// Parameter number.
+    pub param: u32,
+    /// Data set, 0-4.
+    pub data_set: u8,
+    /// Raw value.
+    pub raw: i64,
 }
 
 /// A setting that a run has changed for its time.
@@ -160,8 +191,30 @@ pub struct Lent {
     pub data_set: u8,
     /// Raw value before.
     pub old: i64,
-    /// Raw value that was written first.
+    /// Raw value that was written last, or was about to be.
     pub new: i64,
+    /// Raw value that a run had written before it: this stands where it was broken off between the record and the telegram.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub was: Option<i64>,
+    /// Whether it stays, because contacts that are closed could start the drive under the value before.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub stays: bool,
+}
+
+/// A setting that is otherwise than before, and not as a run has set it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Left {
+    /// Parameter number.
+    pub param: u32,
+    /// Where it is, as messages call it: `P.413@0ram`.
+    pub name: String,
+    /// Data set, 0-4; always in RAM.
+    pub data_set: u8,
+    /// Raw value before the run.
+    pub old: i64,
+    /// Raw value that was found.
+    pub now: i64,
 }
 
 /// A step in a record.
@@ -188,6 +241,40 @@ impl Lent {
     fn is_of(&self, change: &Change) -> bool {
         (self.param, self.data_set) == (change.param, change.data_set)
     }
+
+    /// Whether a run has left this value, and nobody else.
+    pub fn is_left(&self, raw: i64) -> bool {
+        raw == self.new || Some(raw) == self.was
+    }
+}
+
+impl Lent {
+    fn stays_so(&self) -> Text {
+        let Lent { name, old, new, .. } = self;
+        let back = way_back(name, *old);
+        both!(
+            "{name} stays {new} (was {old}): contacts that are closed could start the drive under {old}; {back} sets it back, when \
+             nothing can start",
+            "{name} bleibt {new} (war {old}): geschlossene Kontakte könnten den Antrieb unter {old} starten; {back} stellt es zurück, \
+             wenn nichts anlaufen kann"
+        )
+    }
+}
+
+impl Left {
+    fn told(&self) -> Text {
+        let Left { name, now, old, .. } = self;
+        let back = way_back(name, *old);
+        both!(
+            "{name} was left alone at {now}: a run that was broken off had changed it, and somebody else since; before that it was {old} \
+             ({back})",
+            "{name} blieb bei {now}: ein abgebrochener Lauf hatte es geändert, und seitdem jemand anderes; davor war es {old} ({back})"
+        )
+    }
+}
+
+fn way_back(name: &str, old: i64) -> String {
+    format!("`antrieb write {}={old}`", name.trim_start_matches("P."))
 }
 
 impl ProcedureRecord {
@@ -204,18 +291,41 @@ impl ProcedureRecord {
         self.steps.iter().find(|kept| kept.step == slug)
     }
 
-    /// Notes what a setting was before a run changes it; what it was before an earlier one that was broken off, stays noted.
+    /// Notes what a run is about to set, and what the setting was; what it was before an earlier run that was broken off, stays noted.
     pub fn lend(&mut self, change: &Change) {
         let Change { param, data_set, old, new, .. } = *change;
-        if !self.lent.iter().any(|lent| lent.is_of(change)) {
-            self.lent.push(Lent { param, name: change.name.clone(), data_set, old, new });
+        match self.lent.iter_mut().find(|lent| lent.is_of(change)) {
+            Some(lent) if lent.new == new => {}
+            Some(lent) => (lent.was, lent.new) = (Some(lent.new), new),
+            None => {
+                self.lent.push(Lent { param, name: change.name.clone(), data_set, old, new, was: None, stays: false });
+            }
         }
     }
 
     /// Strikes out what a run has given back, if that is what it was at first.
     pub fn take_back(&mut self, changed: &[Change]) {
-        let is_back = |lent: &Lent| changed.iter().any(|row| lent.is_of(row) && row.restored && row.old == lent.old);
-        self.lent.retain(|lent| !is_back(lent));
+        let given = || changed.iter().filter(|row| row.restored);
+        self.lent.retain(|lent| !given().any(|row| lent.is_of(row) && row.old == lent.old));
+        for row in given() {
+            for lent in self.lent.iter_mut().filter(|lent| lent.is_of(row)) {
+                (lent.was, lent.new) = (None, row.old);
+            }
+        }
+    }
+
+    /// Notes values that were written to stay.
+    pub fn store(&mut self, stored: impl Iterator<Item = Stored>) {
+        for one in stored {
+            self.stored.retain(|other| (other.param, other.data_set) != (one.param, one.data_set));
+            self.stored.push(one);
+        }
+    }
+
+    /// What stands otherwise in the drive than before the procedure, and stays so.
+    pub fn stays(&self) -> Vec<Text> {
+        let lent = self.lent.iter().filter(|lent| lent.stays).map(Lent::stays_so);
+        lent.chain(self.left.iter().map(Left::told)).collect()
     }
 
     /// Puts a step in its place.
@@ -224,5 +334,42 @@ impl ProcedureRecord {
             Some(kept) => *kept = step,
             None => self.steps.push(step),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A search sets one thing again and again: what stands behind a kill is the last value, or the one before it, and no other proves
+    /// that it was the run.
+    #[test]
+    fn what_is_set_again_is_known_by_its_last_two_values() {
+        let text = r#"{ "antrieb_procedure": 1, "procedure": "x", "title": { "en": "", "de": "" }, "address": 1, "drive": "acu",
+            "of": 1, "given": [], "steps": [] }"#;
+        let mut record: ProcedureRecord = serde_json::from_str(text).unwrap();
+        let change = |old: i64, new: i64, restored: bool| Change {
+            param: 382,
+            name: "P.382@1ram".to_owned(),
+            data_set: 1,
+            old,
+            new,
+            restored,
+        };
+        let left = |record: &ProcedureRecord| (0..9).filter(|raw| record.lent[0].is_left(*raw)).collect::<Vec<_>>();
+        record.lend(&change(0, 3, false));
+        assert_eq!(left(&record), [3]);
+        record.lend(&change(0, 5, false));
+        record.lend(&change(0, 5, false));
+        assert_eq!(left(&record), [3, 5]);
+        record.lend(&change(0, 7, false));
+        assert_eq!((left(&record), record.lent[0].old), (vec![5, 7], 0));
+        // A later run found what an earlier one had left, and has given back that.
+        record.take_back(&[change(7, 8, true)]);
+        assert_eq!((left(&record), record.lent[0].old), (vec![7], 0));
+        record.take_back(&[change(0, 8, false)]);
+        assert_eq!(record.lent.len(), 1);
+        record.take_back(&[change(0, 8, true)]);
+        assert_eq!(record.lent, []);
     }
 }

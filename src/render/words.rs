@@ -49,6 +49,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("begun", "begonnen"),
     ("found", "gefunden"),
     ("given", "angegeben"),
+    ("stays otherwise", "bleibt anders"),
     ("may be given", "kann angegeben sein"),
     ("must be given", "muss angegeben sein"),
     ("procedure", "Prozedur"),

@@ -157,6 +157,22 @@ fn a_short_name_that_a_family_lacks_is_refused() {
     assert!(state.err.contains("'state -> fault'") && !state.err.contains("P.392"), "{}", state.err);
 }
 
+/// A name is that of the drive that answers, and no other family refuses it before anybody has asked.
+#[test]
+fn the_fault_of_a_servo_drive_triggers_by_its_name_without_its_family_being_named() {
+    let bench = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n[[drive.event]]\nat = \"4s\"\nfault = \"E2300\"\n";
+    for drive in ["", "--drive lxm05"] {
+        let line = format!("-a 3 {drive} monitor --count 8 --unpaced --json --trigger 'fault = E2300'");
+        let run = antrieb(&line).on(bench).exits(0);
+        assert_eq!(of_type(&records(&run.out), "trigger").len(), 1, "{}", run.out);
+    }
+    // That of an ACTIVE is none of this drive, which says so itself.
+    let other = antrieb("-a 3 monitor --count 2 --unpaced --trigger 'fault = F0500'").on(bench).run();
+    assert!(other.err.contains("FLT_err_num"), "{}", other.err);
+    let nobody = antrieb("-a 3 monitor --count 2 --unpaced --trigger 'fault = X1'").on(bench).exits(2);
+    assert!(nobody.err.contains("'X1'"), "{}", nobody.err);
+}
+
 #[test]
 fn a_fault_comes_with_what_was_seen_last_before_it() {
     let run = tripped("");

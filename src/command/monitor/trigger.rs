@@ -149,7 +149,12 @@ fn level(text: &str, param: &Param, family: &Family) -> Result<i64, Failure> {
         return Ok(code.into());
     }
     parse(text, param, &family.choices(param)).map_err(|error| {
-        let code = if matches!(error, ValueError::Unit { .. }) { "usage.unit" } else { "usage.trigger" };
+        let code = match error {
+            ValueError::Unit { .. } => "usage.unit",
+            // A name that this family does not know may be one of another: of a fault, or what a value stands for.
+            _ if text.starts_with(char::is_alphabetic) => "usage.option",
+            _ => "usage.trigger",
+        };
         let label = param.label();
         Failure::new(
             Class::Usage,

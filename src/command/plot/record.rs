@@ -37,6 +37,8 @@ pub(super) struct Column {
 #[derive(Debug)]
 struct Row {
     t: f64,
+    /// When the last of its values was asked for; a table has one time for all of them.
+    until: f64,
     /// Its number.
     n: Option<u64>,
     state: Option<(String, Text)>,
@@ -154,7 +156,8 @@ impl Reader<'_> {
         let values = record["values"].as_array()?;
         let is_unheard = |told: &Value| told["error"]["code"].as_str().is_some_and(is_gap);
         let (t, is_gap) = (record["t"].as_f64()?, is_unheard(record) || values.iter().any(is_unheard));
-        track.rows.push(Row { t, n: record["n"].as_u64(), state, is_gap });
+        let until = values.iter().filter_map(|value| value["t"].as_f64()).fold(t, f64::max);
+        track.rows.push(Row { t, until, n: record["n"].as_u64(), state, is_gap });
         for value in values {
             let (slug, set) = (value["slug"].as_str()?, value["data_set"].as_u64()?);
             let number = value["param"].as_u64()?;
@@ -201,7 +204,7 @@ impl Reader<'_> {
         if let Some(trigger) = cell("trigger") {
             track.marks.push(Mark { t, kind: MarkKind::Trigger, text: Text::name(trigger) });
         }
-        track.rows.push(Row { t, n: cell("n").and_then(|n| n.parse().ok()), state, is_gap });
+        track.rows.push(Row { t, until: t, n: cell("n").and_then(|n| n.parse().ok()), state, is_gap });
         // A raw value is none in its unit, and names of bits are none at all.
         for (key, cell) in values.filter(|(key, _)| !key.ends_with(".raw") && !key.ends_with("_bits")) {
             let (slug, set) =
@@ -264,20 +267,18 @@ impl Track {
         }
     }
 
-    /// From the last round before a time of which nothing was kept to the first one behind it.
-    fn holes(&self) -> Vec<(f64, f64)> {
-        let pairs = self.rows.windows(2);
-        pairs
-            .filter_map(|pair| match pair {
-                [one, next] if !next.follows(one) => Some((one.t, next.t)),
-                _ => None,
-            })
-            .collect()
+    /// The last round before a time of which nothing was kept, and the first one behind it.
+    fn holes(&self) -> impl Iterator<Item = (&Row, &Row)> {
+        self.rows.windows(2).filter_map(|pair| match pair {
+            [one, next] if !next.follows(one) => Some((one, next)),
+            _ => None,
+        })
     }
 
     /// No line goes over such a time.
     fn break_up(&mut self) {
-        for (_, end) in self.holes() {
+        let ends: Vec<f64> = self.holes().map(|(_, next)| next.t).collect();
+        for end in ends {
             for column in &mut self.columns {
                 let at = column.points.partition_point(|point| point.0 < end);
                 column.points.insert(at, (end, None));
@@ -286,22 +287,25 @@ impl Track {
     }
 
     /// Over these times nobody can tell how the drive followed its setpoint: nothing was kept, several rounds were not answered, or
-    /// it followed none, in a fault or without power, which may show in the values a round before it shows in the state.
+    /// it followed none, in a fault or without power, which may show in the values of a round whose state does not show it yet. They
+    /// begin behind the last value that counts.
     pub(super) fn breaks(&self) -> Vec<(f64, f64)> {
-        let mut breaks = self.holes();
-        let mut ends = |ends: &dyn Fn(&Row) -> bool, least: usize| {
+        let mut breaks: Vec<_> = self.holes().map(|(one, next)| (one.until, next.t)).collect();
+        let mut ends = |ends: &dyn Fn(&Row) -> bool, least: usize, doubted: bool| {
             let (mut last, mut count) = (None, 0);
-            for row in &self.rows {
+            for (index, row) in self.rows.iter().enumerate() {
                 count = if ends(row) { count + 1 } else { 0 };
+                let before = || index.checked_sub(1).and_then(|before| self.rows.get(before)).map(|row| row.until);
                 match (count, last) {
-                    (0, _) => last = Some(row.t),
+                    (0, _) if doubted => last = before().or(Some(row.t)),
+                    (0, _) => last = Some(row.until),
                     (count, from) if count >= least => breaks.push((from.unwrap_or(row.t), row.t)),
                     _ => {}
                 }
             }
         };
-        ends(&|row| row.is_gap, 3);
-        ends(&Row::follows_none, 1);
+        ends(&|row| row.is_gap, 3, false);
+        ends(&Row::follows_none, 1, true);
         breaks
     }
 
@@ -349,7 +353,7 @@ impl Track {
             open = *is_gap;
             last = Some(*t);
         }
-        gaps.extend(self.holes());
+        gaps.extend(self.holes().map(|(one, next)| (one.t, next.t)));
         gaps.sort_by(|one, other| one.0.total_cmp(&other.0));
         gaps
     }

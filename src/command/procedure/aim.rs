@@ -1,7 +1,7 @@
 //! What the search for the offset of a resolver goes by: the parameters that the manual names (EM-RES-03 6.4.1), and what was given.
 
 use super::given::{Given, bad};
-use super::nameplate::number;
+use super::nameplate::{number, whole};
 use super::turning::{bounded, watchdog};
 use crate::args::StopArg;
 use crate::command::sollwert;
@@ -88,13 +88,22 @@ impl Aim {
                 "gebraucht wird eine kleine Frequenz über 0, höchstens {HIGHEST} Hz; angegeben: '{text}'"
             )));
         }
+        fits(&params.limit, limit).map_err(|error| unfit(error.text()))?;
         let rated = number(given, "current", &["A"])?.unwrap_or_default();
         let current = rated * SHARE * 10f64.powi(current_decimals(params).into());
-        let pairs = number(given, "resolver-pairs", &[""])?.unwrap_or_default() as i64;
+        let current = (current.round() as i64).max(1);
+        fits(&params.current, current).map_err(|error| bad("current", &error.text()))?;
+        let pairs = whole(given, "resolver-pairs")?.unwrap_or_default();
         value::check_range(pairs, &params.resolver_pairs).map_err(|error| bad("resolver-pairs", &error.text()))?;
         // About 10 % below the limit.
-        Ok(Aim { resolver_pairs: pairs, limit, current: (current.round() as i64).max(1), setpoint: limit * 9 / 10 })
+        Ok(Aim { resolver_pairs: pairs, limit, current, setpoint: limit * 9 / 10 })
     }
+}
+
+/// Range and width, as far as a source tells them.
+fn fits(param: &Param, raw: i64) -> Result<(), value::ValueError> {
+    value::check_range(raw, param)?;
+    param.kind.map_or(Ok(()), |kind| value::check_type(raw, kind, param))
 }
 
 /// The decimals of P.728: no manual prints them, and R.m.s. current P.211 has one.

@@ -5,8 +5,8 @@ use crate::command::{identify, terms};
 use crate::drive::motion::{watchdog_raw, watchdog_seconds, watchdog_words};
 use crate::drive::{Reader, check_line, job};
 use crate::failure::{Class, Failure};
-use crate::outcome::{LinkTest, Value};
-use crate::profile::value::format_decimal;
+use crate::outcome::{Answered, Identity, LinkTest, Stored, Value};
+use crate::profile::value::{format_decimal, written};
 use crate::profile::{Family, Role};
 use crate::text::{Text, both};
 
@@ -17,15 +17,12 @@ impl Guide<'_> {
     /// Asks who answers, and how its line is set.
     pub(super) async fn identify(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
         self.tell(turn);
-        self.allow();
-        let address = self.record.address;
-        let terms = terms(self.settings, self.registry)?;
-        let mut known = terms.recognised(&mut self.session, address, false).await?;
-        self.meets(&known.target)?;
-        let told = identify::told(&mut self.session, self.registry, &mut known).await?;
-        let (identity, failures, _) = told;
+        let (identity, failures) = self.who().await?;
+        let Some(target) = &self.target else { return Ok(()) };
+        let (address, family) = (target.address, target.family.clone());
         let one = self.session.demand_one_drive(address);
-        one.map_err(|error| error.failure(address, Some(&known.target.family)))?;
+        one.map_err(|error| error.failure(address, Some(&family)))?;
+        self.record.answered = Some(answered(&identity));
         let product = identity.product.unwrap_or_default();
         let title = identity.title;
         deed.found.push(if product.is_empty() {
@@ -33,13 +30,59 @@ impl Guide<'_> {
         } else {
             both!("{title}: {product}", "{title}: {product}", title)
         });
-        let family = &known.target.family;
         deed.found
-            .extend(identity.values.iter().filter(|value| value.error.is_none()).map(|value| shown(value, family)));
+            .extend(identity.values.iter().filter(|value| value.error.is_none()).map(|value| shown(value, &family)));
         deed.found
             .extend(identity.modules.iter().filter(|module| module.present).map(|module| Text::name(&module.name)));
-        self.target = Some(known.target);
+        self.fits_its_limits().await?;
         failures.into_iter().next().map_or(Ok(()), Err)
+    }
+
+    /// What the drive at the address tells of itself; it must be one for which the steps so far were.
+    async fn who(&mut self) -> Result<(Identity, Vec<Failure>), Failure> {
+        self.allow();
+        let terms = terms(self.settings, self.registry)?;
+        let mut known = terms.recognised(&mut self.session, self.record.address, false).await?;
+        self.meets(&known.target)?;
+        let (identity, failures, _) = identify::told(&mut self.session, self.registry, &mut known).await?;
+        self.target = Some(known.target);
+        Ok((identity, failures))
+    }
+
+    /// Whoever goes on with a record asks again who answers: what was proven of one drive is no proof of another at its address, and
+    /// nothing of the one is written into the other.
+    pub(super) async fn meets_again(&mut self) -> Result<(), Failure> {
+        let Some(before) = self.record.answered.clone() else { return Ok(()) };
+        let (identity, _) = self.who().await?;
+        let now = answered(&identity);
+        let mut other = Vec::new();
+        if let (Some(before), Some(now)) = (&before.product, &now.product)
+            && before != now
+        {
+            other.push(both!("it is {now} (was {before})", "es ist {now} (war {before})"));
+        }
+        if before.modules != now.modules {
+            let [before, now] = [before.modules, now.modules].map(|modules| match modules.is_empty() {
+                true => "-".to_owned(),
+                false => modules.join(", "),
+            });
+            other.push(both!("option modules: {now} (were: {before})", "Optionsmodule: {now} (waren: {before})"));
+        }
+        let mut target = self.known().await?;
+        self.allow();
+        for Stored { param, data_set, raw } in self.record.stored.clone() {
+            let param = target.family.param_or_unknown(param);
+            let told = target.read_set(&mut self.session, &param, data_set).await;
+            let now = told.map_err(|error| error.failure(target.address, Some(&target.family)))?.raw;
+            if now != raw {
+                let (label, now, before) = (param.label(), written(&param, now), written(&param, raw));
+                other.push(both!(
+                    "{label}@{data_set} is {now} (was written: {before})",
+                    "{label}@{data_set} ist {now} (geschrieben wurde {before})"
+                ));
+            }
+        }
+        if other.is_empty() { Ok(()) } else { Err(another(&Text::join(&other, ", "))) }
     }
 
     /// Measures the line.
@@ -89,6 +132,26 @@ impl Guide<'_> {
         deed.found.push(watchdog_words(&family, raw.map(|raw| watchdog_seconds(&family, raw))));
         failures.into_iter().next().map_or(Ok(()), Err)
     }
+}
+
+/// What of it does not change.
+fn answered(identity: &Identity) -> Answered {
+    let modules = identity.modules.iter().filter(|module| module.present).map(|module| module.name.clone());
+    Answered { product: identity.product.clone(), modules: modules.collect() }
+}
+
+fn another(told: &Text) -> Failure {
+    let message = both!(
+        "this is not the drive of the record, or somebody has changed it since: {told}; nothing was sent that writes",
+        "das ist nicht der Antrieb der Aufzeichnung, oder jemand hat ihn seitdem geändert: {told}; es wurde nichts geschrieben",
+        told
+    );
+    Failure::new(Class::Data, "data.other_drive", message).hint(both!(
+        "see which drive answers at this address; where the values were changed, set them as the record has them; --force begins anew \
+         with what answers, --record names another record",
+        "nachsehen, welcher Antrieb unter dieser Adresse antwortet; wurden Werte geändert, sie wie in der Aufzeichnung stellen; --force \
+         beginnt mit dem, der antwortet, von vorn; --record nennt eine andere Aufzeichnung"
+    ))
 }
 
 /// A value in a line.

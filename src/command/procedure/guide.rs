@@ -10,7 +10,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Answer, Ask, Denied, Permit, Question, Writing};
 use crate::outcome::{
     Data, ErrorDoc, Event, KeptStep, Motion, Outcome, Procedure as Told, ProcedureRecord, ProcedureStep, StepFate,
-    WriteResult, Written,
+    Stored, WriteResult, Written,
 };
 use crate::profile::procedure::{Act, Procedure, Step};
 use crate::profile::{Registry, cited};
@@ -32,6 +32,8 @@ pub(super) struct Guide<'g> {
     pub(super) record: ProcedureRecord,
     pub(super) path: PathBuf,
     pub(super) again: bool,
+    /// Whether the drive was met in this run, and has back what another one had left in it.
+    pub(super) met: bool,
     /// Who has confirmed what the step asks.
     pub(super) said: Option<Text>,
 }
@@ -113,7 +115,8 @@ impl Guide<'_> {
         record::save(&self.path, &self.record)
     }
 
-    /// What stands before a step: what a run before it has left goes back, whether or not the step is done then.
+    /// What stands before a step: whoever goes on meets the drive again, and what an earlier run has left goes back, whether or not the
+    /// step is done then.
     fn begins<'f>(
         &'f mut self,
         turn: Turn<'f>,
@@ -121,8 +124,12 @@ impl Guide<'_> {
         deed: &'f mut Deed,
     ) -> LocalBoxFuture<'f, Result<(), Failure>> {
         Box::pin(async move {
-            if !self.record.lent.is_empty() {
-                self.give_back(turn, deed).await?;
+            if !self.met && turn.step.act != Act::Confirm {
+                self.meets_again().await?;
+                if !(self.record.lent.is_empty() && self.record.left.is_empty()) {
+                    self.give_back(turn, deed).await?;
+                }
+                self.met = true;
             }
             self.may_begin(turn, was_begun)
         })
@@ -285,6 +292,11 @@ impl Guide<'_> {
                 return Err(failure);
             }
         }
+        if !anyway {
+            let rows = jobs.iter().flat_map(|job| &job.rows).filter(|row| row.store == "eeprom");
+            let stored = |row: &Written| Stored { param: row.param, data_set: row.data_set, raw: row.raw };
+            self.record.store(rows.map(stored));
+        }
         deed.found.extend(jobs.iter().flat_map(|job| &job.rows).map(written));
         Ok(())
     }
@@ -351,7 +363,7 @@ pub(super) fn told(record: &ProcedureRecord, steps: Vec<ProcedureStep>, path: &P
         complete: steps.iter().all(|row| row.result == StepFate::Done),
         given: record.given.clone(),
         steps,
-        notes: Vec::new(),
+        notes: record.stays(),
     }))
 }
 
@@ -423,7 +435,8 @@ fn written(row: &Written) -> Text {
 }
 
 /// Failures before which nothing has happened.
-const UNTOUCHED: [&str; 4] = ["forbidden.not_confirmed", "forbidden.no_terminal", "interrupted.question", NOT_AGAIN];
+const UNTOUCHED: [&str; 5] =
+    ["forbidden.not_confirmed", "forbidden.no_terminal", "interrupted.question", "data.other_drive", NOT_AGAIN];
 /// Failures of a drive for which it is not: the same command comes to the same end.
 const NEVER: [&str; 3] = ["data.procedure", "data.other_drive", "data.no_input"];
 /// A step that moves was begun before.

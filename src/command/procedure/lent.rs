@@ -1,50 +1,87 @@
-//! What a run that was broken off has left in a drive, for which its record holds what it was before: whoever goes on gives it back,
-//! and names what it cannot.
+//! What a run that was broken off has left in a drive, for which its record holds what it was before and what the run has set: whoever
+//! goes on gives back what still stands as the run has set it, and names what does not.
 
 use super::guide::{Deed, Guide, Turn};
 use super::record;
-use crate::drive::job;
 use crate::drive::motion::{has_power, look};
+use crate::drive::{Target, job};
 use crate::failure::{Class, Failure};
-use crate::outcome::Lent;
+use crate::outcome::{Left, Lent, ProcedureRecord, Warning};
 use crate::profile::procedure::{Act, Step};
 use crate::profile::value::written;
-use crate::profile::{DataSets, Family, Need};
+use crate::profile::{DataSets, Family, Need, Param};
 use crate::text::{Text, both};
 
+/// What stands in a drive of what was lent.
+#[derive(Default)]
+struct Found {
+    /// As a run has set it: it goes back.
+    ours: Vec<(Lent, job::Step)>,
+    /// The same in words.
+    told: Vec<Text>,
+    /// Neither so nor as before.
+    left: Vec<Left>,
+}
+
 impl Guide<'_> {
-    /// Gives back what is noted as lent, if it does not stand there again. Only to a drive without power: a limit that is raised,
-    /// or a watchdog that ends, would be a surprise to a shaft that turns.
+    /// Gives back what is noted as lent, where it stands as a run has set it. Only to a drive without power: a limit that is raised,
+    /// or a watchdog that ends, would be a surprise to a shaft that turns. What stands otherwise is somebody else's, and is left alone.
     pub(super) async fn give_back(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
         let mut target = self.known().await?;
         self.allow();
         let family = target.family.clone();
-        let (mut left, mut steps) = (Vec::new(), Vec::new());
-        for lent in self.record.lent.clone().into_iter().rev() {
-            let param = family.param_or_unknown(lent.param);
-            let set = lent.data_set + if family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
-            let told = target.read_set(&mut self.session, &param, set).await;
-            let reading = told.map_err(|error| error.failure(target.address, Some(&family)))?;
-            if reading.raw != lent.old {
-                let before = lent.old;
-                let (name, now, old) = (&lent.name, written(&param, reading.raw), written(&param, before));
-                left.push(both!("{name} = {now} (was {old})", "{name} = {now} (war {old})"));
-                steps.push((lent, job::Step { kind: Some(reading.kind), raw: before, param, set, at: None }));
-            }
-        }
+        let found = self.stands(&mut target).await?;
         let seen = look(&mut self.session, &mut target).await?;
-        if !steps.is_empty() && has_power(&seen.state) != Some(false) {
-            return Err(powered(&Text::join(&left, ", "), &seen.state));
+        if !found.ours.is_empty() && has_power(&seen.state) != Some(false) {
+            return Err(powered(&Text::join(&found.told, ", "), &seen.state));
         }
-        let (stays, steps): (Vec<_>, Vec<_>) =
-            steps.into_iter().partition(|(lent, _)| may_start(lent, &family, seen.status));
-        deed.found.extend(stays.iter().map(|(lent, step)| stays_so(lent, &step.param.label())));
-        if !steps.is_empty() {
+        let (stays, goes): (Vec<_>, Vec<_>) =
+            found.ours.into_iter().partition(|(lent, _)| may_start(lent, &family, seen.status));
+        if !goes.is_empty() {
             let step = self.returning(turn);
-            self.write(turn.with(&step), deed, steps.into_iter().map(|(_, step)| step).collect()).await?;
+            self.write(turn.with(&step), deed, goes.into_iter().map(|(_, step)| step).collect()).await?;
         }
-        self.record.lent.clear();
-        record::save(&self.path, &self.record)
+        self.record.lent = stays.into_iter().rev().map(|(lent, _)| Lent { stays: true, ..lent }).collect();
+        let known = self.still_left(&mut target).await?;
+        let told: Vec<Text> = found.left.iter().map(|left| left_so(left, &family)).collect();
+        self.record.left = known.into_iter().chain(found.left).collect();
+        record::save(&self.path, &self.record)?;
+        if told.is_empty() { Ok(()) } else { Err(left_alone(&Text::join(&told, ", "), &self.record.left)) }
+    }
+
+    /// Reads what was lent where it was set.
+    async fn stands(&mut self, target: &mut Target) -> Result<Found, Failure> {
+        let mut found = Found::default();
+        for lent in self.record.lent.clone().into_iter().rev() {
+            let (param, set) = placed(&target.family, lent.param, lent.data_set);
+            let told = target.read_set(&mut self.session, &param, set).await;
+            let reading = told.map_err(|error| error.failure(target.address, Some(&target.family)))?;
+            let (now, before) = (reading.raw, lent.old);
+            if now == before {
+                continue;
+            }
+            if !lent.is_left(now) {
+                let Lent { param, name, data_set, old, .. } = lent;
+                found.left.push(Left { param, name, data_set, old, now });
+                continue;
+            }
+            let (name, now, old) = (&lent.name, written(&param, now), written(&param, before));
+            found.told.push(both!("{name} = {now} (was {old})", "{name} = {now} (war {old})"));
+            found.ours.push((lent, job::Step { kind: Some(reading.kind), raw: before, param, set, at: None }));
+        }
+        Ok(found)
+    }
+
+    /// What was left alone before and does not stand again as it was.
+    async fn still_left(&mut self, target: &mut Target) -> Result<Vec<Left>, Failure> {
+        let mut still = Vec::new();
+        for left in self.record.left.clone() {
+            let (param, set) = placed(&target.family, left.param, left.data_set);
+            let told = target.read_set(&mut self.session, &param, set).await;
+            let now = told.map_err(|error| error.failure(target.address, Some(&target.family)))?.raw;
+            still.extend((now != left.old).then_some(Left { now, ..left }));
+        }
+        Ok(still)
     }
 
     fn returning(&self, turn: Turn<'_>) -> Step {
@@ -63,6 +100,12 @@ impl Guide<'_> {
     }
 }
 
+/// A parameter, and the data set of its RAM.
+fn placed(family: &Family, param: u32, data_set: u8) -> (Param, u8) {
+    let ram = if family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
+    (family.param_or_unknown(param), data_set + ram)
+}
+
 /// Whether the drive may start by its contacts once this goes back.
 fn may_start(lent: &Lent, family: &Family, status: u32) -> bool {
     let is_control = family.role("control-mode").is_some_and(|param| param.id == lent.param);
@@ -71,15 +114,40 @@ fn may_start(lent: &Lent, family: &Family, status: u32) -> bool {
     is_control && !obeys && bit.is_none_or(|bit| status >> bit & 1 == 1)
 }
 
-fn stays_so(lent: &Lent, label: &str) -> Text {
-    let Lent { name, old, new, .. } = lent;
-    let back = name.trim_start_matches("P.");
-    both!(
-        "{name} stays {new} (was {old}): enable and start contact are closed and could start the drive; `antrieb write {back}={old}` \
-         sets it back, when nothing can start ({label})",
-        "{name} bleibt {new} (war {old}): Freigabe und Startkontakt sind geschlossen und könnten den Antrieb starten; `antrieb write \
-         {back}={old}` stellt es zurück, wenn nichts anlaufen kann ({label})"
-    )
+/// What the record that is replaced still had to give back: nobody does that any more.
+pub(super) fn forgotten(replaced: &ProcedureRecord) -> Option<Warning> {
+    let rows = replaced.lent.iter().map(|lent| (&lent.name, lent.old));
+    let rows = rows.chain(replaced.left.iter().map(|left| (&left.name, left.old)));
+    let told = rows.map(|(name, old)| format!("{name} = {old}")).collect::<Vec<_>>().join(", ");
+    let message = both!(
+        "the record that was replaced had not given everything back; before its procedure this stood in its drive: {told}",
+        "die ersetzte Aufzeichnung hatte noch nicht alles zurückgegeben; vor ihrer Prozedur stand in ihrem Antrieb: {told}"
+    );
+    (!told.is_empty()).then(|| Warning { code: "procedure.forgotten".to_owned(), message })
+}
+
+/// What was found in the place of what was lent.
+fn left_so(left: &Left, family: &Family) -> Text {
+    let Left { name, now, old, .. } = left;
+    let param = family.param_or_unknown(left.param);
+    let (now, old) = (written(&param, *now), written(&param, *old));
+    both!("{name} = {now} (was {old})", "{name} = {now} (war {old})")
+}
+
+fn left_alone(told: &Text, left: &[Left]) -> Failure {
+    let message = both!(
+        "left alone: {told}; a run that was broken off had changed it, but what stands there now is not what it had set: somebody else has \
+         set it since, the drive has restarted, or it is another one",
+        "nicht angerührt: {told}; ein abgebrochener Lauf hatte das geändert, aber was jetzt dort steht, hat nicht er gesetzt: jemand \
+         anderes hat es seitdem gestellt, der Antrieb ist neu gestartet, oder es ist ein anderer",
+        told
+    );
+    let back = left.iter().map(|left| format!("{}={}", left.name.trim_start_matches("P."), left.old));
+    let back = back.collect::<Vec<_>>().join(" ");
+    Failure::new(Class::Partial, "partial.not_given_back", message).hint(both!(
+        "see that it is the right drive and what its values are to be; `antrieb write {back}` sets what stood before",
+        "nachsehen, ob es der richtige Antrieb ist und was gelten soll; `antrieb write {back}` stellt her, was vorher stand"
+    ))
 }
 
 fn powered(left: &Text, state: &str) -> Failure {

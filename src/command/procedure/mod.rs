@@ -2,6 +2,7 @@
 
 mod aim;
 mod analog;
+mod bounds;
 mod contact;
 mod dry;
 mod given;
@@ -93,6 +94,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let address = running::single_address(context)?;
     let path = args.record.clone().unwrap_or_else(|| PathBuf::from(format!("procedure-{}-{address}.json", args.name)));
     let path = in_directory(context.settings, &path);
+    let replaced = context.settings.force.then(|| record::kept(&path).ok().flatten()).flatten();
     let kept = if context.settings.force { None } else { record::kept(&path)? };
     let given = Given::of(args, &procedure, context.settings, kept.as_ref())?;
     let family = family(&procedure, kept.as_ref(), context)?;
@@ -129,9 +131,12 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         record,
         path,
         again,
+        met: false,
         said: None,
     };
-    Ok(guide.go().await)
+    let mut outcome = guide.go().await;
+    outcome.warnings.extend(replaced.as_ref().and_then(lent::forgotten));
+    Ok(outcome)
 }
 
 /// The family whose steps are taken until the drive says what it is: the one that was named, that of the record, or the usual

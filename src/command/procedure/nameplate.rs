@@ -37,7 +37,7 @@ impl Nameplate {
         let must = |key: &str, units: &[&str]| number(given, key, units).map(Option::unwrap_or_default);
         let frequency = must("frequency", &["Hz"])?;
         let speed = must("speed", &["rpm", "1/min"])?;
-        let told = number(given, "pole-pairs", &[""])?.map(|pairs| pairs as i64);
+        let told = whole(given, "pole-pairs")?;
         let turns = (60.0 * frequency / speed + 1e-9).floor() as i64;
         let plate = Nameplate {
             power: must("power", &["kW", "W"])?,
@@ -165,6 +165,18 @@ pub(super) fn number(given: &Given, key: &str, units: &[&str]) -> Result<Option<
                 ),
             ))
         }
+    }
+}
+
+/// A whole number without a unit, above 0.
+pub(super) fn whole(given: &Given, key: &str) -> Result<Option<i64>, Failure> {
+    let number = number(given, key, &[""])?;
+    match number.filter(|number| number.fract() != 0.0) {
+        None => Ok(number.map(|number| number as i64)),
+        Some(number) => Err(bad(
+            key,
+            &both!("expected a whole number, got {number}", "erwartet wird eine ganze Zahl; angegeben: {number}"),
+        )),
     }
 }
 

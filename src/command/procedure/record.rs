@@ -41,6 +41,9 @@ pub(super) fn open(
         given: given.told(),
         steps: Vec::new(),
         lent: Vec::new(),
+        left: Vec::new(),
+        answered: None,
+        stored: Vec::new(),
     };
     let Some(kept) = kept else { return Ok(new) };
     if (&kept.procedure, kept.address, &kept.drive) != (&new.procedure, address, &new.drive) {

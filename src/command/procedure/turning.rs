@@ -26,6 +26,10 @@ const TEST: &str = "5Hz";
 /// The least of it at which one sees a shaft turn, in Hz, and the most, as a share of the rated frequency: no manual says what low is.
 const LEAST: f64 = 1.0;
 const SLOW: f64 = 0.2;
+/// The most to which the ramp leads, as a multiple of the rated frequency: that bound is ours too.
+const FAST: f64 = 2.0;
+/// The longest that a shaft turns without anybody.
+const SILENT: Span = Span::from_secs(60);
 /// The time of the watchdog, where none was given.
 const WATCHDOG: Span = Span::from_secs(2);
 /// What the watchdog of the line trips with (CM-485 manual 6.9).
@@ -273,24 +277,13 @@ impl Guide<'_> {
     }
 
     /// A control mode that stays because contacts could start the drive under its own is an end that was agreed to.
-    fn leaves_control(&mut self, ended: Result<(), Failure>, deed: &mut Deed) -> Result<(), Failure> {
+    fn leaves_control(&mut self, ended: Result<(), Failure>, deed: &Deed) -> Result<(), Failure> {
         let mode = self.target.as_ref().and_then(|target| Some(target.family.role("control-mode")?.id));
-        let left = deed.motions.last().map(|motion| motion.changed.iter().filter(|change| !change.restored));
-        let left: Vec<Change> = left.into_iter().flatten().cloned().collect();
-        let is_agreed = left.iter().all(|change| Some(change.param) == mode);
+        let left = deed.motions.last().into_iter().flat_map(|motion| &motion.changed).filter(|change| !change.restored);
+        let is_agreed = left.into_iter().all(|change| Some(change.param) == mode);
         match ended {
             Err(failure) if failure.code == "partial.not_given_back" && is_agreed => {
-                deed.found.extend(left.iter().map(|change| {
-                    let Change { name, old, new, .. } = change;
-                    let back = name.trim_start_matches("P.");
-                    both!(
-                        "{name} stays {new} (was {old}), as agreed: contacts that are closed could start the drive under {old}; `antrieb \
-                         write {back}={old}` sets it back, when nothing can start",
-                        "{name} bleibt {new} (war {old}), wie vereinbart: geschlossene Kontakte könnten den Antrieb unter {old} starten; \
-                         `antrieb write {back}={old}` stellt es zurück, wenn nichts anlaufen kann"
-                    )
-                }));
-                self.record.lent.retain(|lent| Some(lent.param) != mode);
+                self.record.lent.iter_mut().filter(|lent| Some(lent.param) == mode).for_each(|lent| lent.stays = true);
                 Ok(())
             }
             ended => ended,
@@ -421,8 +414,30 @@ pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
             ),
         ));
     }
-    let text = goal(given.get("ramp"), given)?;
-    if raw(&text, param)? <= test {
+    let (text, rated) = (goal(given.get("ramp"), given)?, nameplate::Nameplate::of(given)?.frequency);
+    let ramp = raw(&text, param)?;
+    value::check_range(ramp, param).map_err(|error| bad("ramp", &error.text()))?;
+    if hertz(ramp) > rated * FAST {
+        let most = rated * FAST;
+        return Err(bad(
+            "ramp",
+            &both!(
+                "expected at most {most} Hz (twice the rated frequency), got '{text}'",
+                "erwartet werden höchstens {most} Hz (das Doppelte der Bemessungsfrequenz); angegeben: '{text}'"
+            ),
+        ));
+    }
+    let silent = watchdog(given)?;
+    if silent > SILENT {
+        return Err(bad(
+            "watchdog",
+            &both!(
+                "expected at most {SILENT}, as the shaft turns unattended for so long; got {silent}",
+                "erwartet werden höchstens {SILENT}, denn so lange dreht die Welle unbeaufsichtigt; angegeben: {silent}"
+            ),
+        ));
+    }
+    if ramp <= test {
         return Err(bad(
             "ramp",
             &both!(
@@ -434,7 +449,7 @@ pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a step would run, for a dry run.
+/// What a step would run.
 pub(super) fn rehearsed(act: Act, given: &Given) -> Option<sollwert::Args> {
     let test = given.get("test").unwrap_or(TEST);
     match act {

@@ -161,7 +161,7 @@ impl Check<'_, '_> {
     }
 
     /// The bound of the setpoint, if there is one; refused beyond it, with what the drive adds.
-    fn limit(&self, wanted: &Wanted, own: Own, added: i64) -> Result<Option<i64>, Failure> {
+    pub(super) fn limit(&self, wanted: &Wanted, own: Own, added: i64) -> Result<Option<i64>, Failure> {
         let Some((id, limit)) = wanted.mode.limit.zip(own.limit) else { return Ok(None) };
         let sums = wanted.values().map(|raw| raw.saturating_add(added));
         let peak = sums.max_by_key(|sum| sum.unsigned_abs()).unwrap_or(0);

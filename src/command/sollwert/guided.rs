@@ -1,11 +1,12 @@
 //! A run that a procedure leads: what `sollwert` does with a setpoint, on a line that is open already.
 
+use super::check::Check;
 use super::{Args, Giving, Until, dry, spoken, understand};
 use crate::args::{KeypadArgs, MotionArgs, Settings};
 use crate::command::profibus::SlaveArgs;
 use crate::command::running::{self, Around, Plan};
-use crate::drive::Session;
-use crate::drive::motion::{Keeps, Motor};
+use crate::drive::motion::{Keeps, Motor, Promise, look};
+use crate::drive::{Session, Target};
 use crate::failure::Failure;
 use crate::gate::Question;
 use crate::outcome::{Outcome, TelegramDoc};
@@ -82,6 +83,20 @@ pub(in crate::command) async fn led(
         },
     )
     .await
+}
+
+/// Whether the drive's own bounds let a run reach its setpoint: asked long before it is.
+pub(in crate::command) async fn fits(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    args: &Args,
+) -> Result<(), Failure> {
+    let Some(spoken) = spoken(args)? else { return Ok(()) };
+    let wanted = understand(args, &spoken, &target.family)?;
+    let before = look(session, target).await?;
+    let promise = Promise::read(session, target, &wanted.mode, &wanted.settings).await?;
+    let check = Check { args, session, target, before: &before };
+    check.limit(&wanted, promise.own, 0).map(drop)
 }
 
 /// What a run would send.

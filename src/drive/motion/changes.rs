@@ -87,7 +87,7 @@ impl Motor<'_, '_> {
         }
         match self.settled.contains(&(param.id, set)) {
             false => self.note_change(param, set, old, new)?,
-            true => self.changes.iter_mut().filter(|row| row.param == param.id).for_each(|row| row.new = new),
+            true => self.note_again(param, set, new)?,
         }
         self.write(param, set, new).await.map_err(|failure| named(failure, param))?;
         let (_, now) = self.bear(async |motor: &mut Self| motor.in_force(param).await).await?;
@@ -137,7 +137,7 @@ impl Motor<'_, '_> {
         fit: impl Fn(i64) -> bool,
     ) -> Result<(), Failure> {
         if self.settled.contains(&(param.id, set)) {
-            return Ok(());
+            return self.note_again(param, set, new);
         }
         match raw(self.session, self.target, param, set).await? {
             Some(old) if old != new && fit(old) => self.note_change(param, set, old, new)?,
@@ -158,6 +158,18 @@ impl Motor<'_, '_> {
         self.settled.push((param.id, set));
         self.changes.push(change);
         Ok(())
+    }
+
+    /// Notes what a parameter that was changed is changed to now, before it is written; not where it only becomes what it was.
+    fn note_again(&mut self, param: &Param, set: u8, new: i64) -> Result<(), Failure> {
+        let (data_set, _) = placed(&self.target.family, param, set);
+        let mut rows: Vec<_> =
+            self.changes.iter_mut().filter(|row| (row.param, row.data_set) == (param.id, data_set)).collect();
+        let is_back = rows.iter().any(|row| row.old == new);
+        let Some(row) = rows.pop().filter(|row| row.new != new && !is_back) else { return Ok(()) };
+        row.new = new;
+        let change = row.clone();
+        self.keeps.map_or(Ok(()), |Keeps(keep)| keep(&change))
     }
 
     /// Whether what was changed goes back: not to a drive that still runs and may need it, but to one that is without power,

@@ -13,6 +13,8 @@ impl Page {
         facts.push(self.fact("steps", format!("{done}/{}", record.of)));
         let given: Vec<String> = record.given.iter().map(|row| format!("{} = {}", row.key, row.value)).collect();
         facts.extend((!given.is_empty()).then(|| self.fact("given", given.join(", "))));
+        let stays: Vec<String> = record.stays().iter().map(|text| self.say(text)).collect();
+        facts.extend((!stays.is_empty()).then(|| self.fact("stays otherwise", stays.join("; "))));
         let rows = record.steps.iter().enumerate().map(|(index, step)| self.kept(index + 1, step));
         let table = self.grid(&[">step", "what", "result", "time (UTC)", "found"], rows);
         vec![Block::Heading(1, self.say(&name)), Block::Facts(facts), table]
