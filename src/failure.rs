@@ -130,6 +130,11 @@ impl Failure {
         matches!(self.class, Class::Silence | Class::Garbled) || self.code == STUCK
     }
 
+    /// Nothing more comes of the session: its port is gone, or the drive that it was with.
+    pub fn is_gone(&self) -> bool {
+        self.class == Class::Port || self.code == GONE
+    }
+
     /// The family that the drive was found to be of, or `unknown`.
     pub fn family(&self) -> &str {
         self.context.iter().find(|(key, _)| *key == FAMILY).map_or("unknown", |(_, family)| family)
@@ -138,6 +143,9 @@ impl Failure {
 
 /// The name of a drive's family among the facts for machines.
 const FAMILY: &str = "drive";
+
+/// The code of a drive that has fallen silent for good behind a port that is there.
+pub const GONE: &str = "silence.gone";
 
 /// The code of a port that takes no bytes.
 pub const STUCK: &str = "port.stuck";

@@ -16,6 +16,8 @@ use crate::text::{Text, both};
 
 mod done;
 pub(super) mod keypad;
+pub(super) mod keys;
+pub(super) mod leads;
 mod question;
 mod report;
 mod sets;

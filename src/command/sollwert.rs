@@ -3,7 +3,6 @@
 mod check;
 mod dry;
 mod guided;
-mod keys;
 mod over_profibus;
 mod shown;
 mod told;
@@ -13,6 +12,7 @@ mod zero;
 
 use super::lines::OverLines;
 use super::profibus::SlaveArgs;
+use super::running::leads::Leads;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, offline, offline_family};
@@ -40,8 +40,8 @@ use wanted::{Spoken, Wanted, spoken, understand};
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
 ///
-/// Over PROFIBUS (--protocol dp) a motor runs only while data are exchanged: Hz or %, with --enable --hold, or --jog. --mode basic or
-/// profidrive says by which words.
+/// Over PROFIBUS (--protocol dp) a motor runs only while data are exchanged: Hz or %, with --enable --hold, or --jog, and in one direction.
+/// --mode basic or profidrive says by which words.
 ///
 /// What the drive makes of it by its own settings (an ACTIVE adds its internal setpoint with P.434 = 3, and bounds it by
 /// P.418 and P.419) is worked out and told before you are asked. What stands in a drive from before and would turn the
@@ -337,7 +337,8 @@ async fn carry_out(
         motor.set(param, *raw).await?;
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
-    lead(motor, wanted, panel).await?;
+    let mut leads = Leads::new(&wanted.schedule, (wanted.keys, wanted.refused_key()), panel);
+    lead(motor, wanted, &mut leads).await?;
     let begun = motor.now();
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
@@ -357,7 +358,7 @@ async fn carry_out(
     if motion.hold {
         // What is left of it behind a movement.
         let moved = if until_reached { Span::ZERO } else { motor.now().since(begun) };
-        hold(motor, wanted, motion.duration.map(|span| span - moved), panel).await?;
+        hold(motor, wanted, motion.duration.map(|span| span - moved), leads).await?;
     }
     Ok(())
 }
@@ -367,24 +368,19 @@ async fn hold(
     motor: &mut Motor<'_, '_>,
     wanted: &Wanted,
     duration: Option<Span>,
-    panel: &Panel,
+    mut leads: Leads<'_>,
 ) -> Result<(), Failure> {
-    let mut given = wanted.schedule.at(u64::MAX);
-    // What was pressed on the way meant nothing yet.
-    panel.take_steps();
+    let mut given = leads.arrives();
     motor
         .hold(duration, async |motor: &mut Motor<'_, '_>, _| {
-            let steps = panel.take_steps();
-            let (next, refused) = wanted.keys.map_or((given, false), |keys| keys.after(given, &steps));
-            if let Some(told) = wanted.refused_key().filter(|_| refused) {
-                motor.tell(told);
-            }
+            let (next, told) = leads.by_arrows();
+            told.into_iter().for_each(|told| motor.tell(told));
             if next != given {
-                let before = std::mem::replace(&mut given, next);
                 if nudge(motor, wanted, next).await? {
+                    given = next;
                     return Ok(());
                 }
-                given = before;
+                leads.stays_at(given);
             }
             // Whatever keys come, it is given again.
             if wanted.mode.zero {
@@ -420,32 +416,27 @@ fn as_told(motor: &mut Motor<'_, '_>, wanted: &Wanted) -> Result<(), Failure> {
 }
 
 /// Leads the setpoint along its schedule, as long as the drive goes there.
-async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, panel: &Panel) -> Result<(), Failure> {
-    let (end, unit) = (wanted.schedule.end_us(), wanted.param.unit.as_deref().unwrap_or(""));
-    if end == 0 {
+async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, leads: &mut Leads<'_>) -> Result<(), Failure> {
+    let unit = wanted.param.unit.as_deref().unwrap_or("");
+    if leads.takes() == Span::ZERO {
         return Ok(());
     }
-    let (mut last, mut told) = (wanted.schedule.at(0), false);
+    let mut last = wanted.schedule.at(0);
     motor.is_led(true);
     motor
-        .hold(Some(Span::from_micros(end)), async |motor: &mut Motor<'_, '_>, gone| {
-            let value = wanted.schedule.at(gone.as_micros());
+        .hold(Some(leads.takes()), async |motor: &mut Motor<'_, '_>, gone| {
+            let (value, told) = leads.on_its_way(gone);
             motor.expects = wanted.expects(value);
             if value != last {
                 motor.give(&wanted.param, value, unit).await?;
                 last = value;
             }
-            if !panel.take_steps().is_empty() && !std::mem::replace(&mut told, true) {
-                motor.tell(both!(
-                    "the arrows work when the way is at its end",
-                    "die Pfeile wirken, wenn der Verlauf zu Ende ist"
-                ));
-            }
+            told.into_iter().for_each(|told| motor.tell(told));
             Ok(())
         })
         .await?;
     motor.is_led(false);
-    let value = wanted.schedule.at(end);
+    let value = leads.arrives();
     motor.expects = wanted.expects(value);
     if value == last { Ok(()) } else { motor.give(&wanted.param, value, unit).await }
 }

@@ -29,8 +29,8 @@ use clap::{Args as ClapArgs, Subcommand};
 /// at once, on several drives too (-a 1-5, -a all); everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 ///
-/// Over PROFIBUS (--protocol dp): `show`, the stops and `reset`, by the words of PROFIdrive, or of the Basic
-/// block (--mode basic --drive l200); `sollwert` runs a motor.
+/// Over PROFIBUS (--protocol dp): `show`, the stops, `reset`, and `enable --hold` at a setpoint of 0, by the words of PROFIdrive, or of the
+/// Basic block (--mode basic --drive l200); `sollwert` runs a motor.
 ///
 /// Exit code of a stop of several: 0 if every shaft is proven to stand (behind `disable-voltage`, and where P.392 lets it coast: if every
 /// drive is proven to have no power), 9 if some are; if none is, that of the drive of which least is known. The page says it of each.

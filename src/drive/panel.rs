@@ -4,6 +4,8 @@
 //! [`Panel`] is one that the terminal and the run share. Nothing here starts anything: buttons stop a run, or move its setpoint
 //! within bounds that were agreed before; once stopped, a run stays so.
 
+use crate::failure::may_turn;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -232,6 +234,61 @@ impl Panel {
 
     fn lock(&self) -> MutexGuard<'_, Shared> {
         self.shared.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// How long the view of a run stays behind its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stays {
+    /// Until somebody leaves.
+    UntilLeft,
+    /// Until somebody leaves, a minute at most: long enough for a diagnosis.
+    AWhile,
+    /// Until no key repeats any more: what is still pressed would be typed into the shell, where an arrow and Enter run the same
+    /// line again.
+    UntilQuiet,
+}
+
+impl Stays {
+    fn most(self) -> Option<Span> {
+        match self {
+            Stays::UntilLeft => None,
+            Stays::AWhile => Some(Span::from_secs(60)),
+            Stays::UntilQuiet => Some(Span::from_millis(1_200)),
+        }
+    }
+}
+
+/// What is told last of a run whose view stays.
+pub fn last_told(stands: bool) -> Text {
+    match stands {
+        true => both!("the stop was acknowledged, the shaft stands", "der Halt wurde bestätigt, die Welle steht"),
+        false => may_turn(),
+    }
+}
+
+/// A view that stays behind the end of its run.
+#[derive(Debug)]
+pub(super) struct Lingering {
+    panel: Panel,
+    stays: Stays,
+    since: Tick,
+    presses: u64,
+}
+
+impl Lingering {
+    /// From now on.
+    pub(super) fn new(panel: Panel, stays: Stays, now: Tick) -> Self {
+        let presses = panel.presses();
+        Lingering { panel, stays, since: now, presses }
+    }
+
+    /// Whether somebody still looks, and it has not stayed long enough.
+    pub(super) fn goes_on(&mut self, now: Tick) -> bool {
+        if self.stays == Stays::UntilQuiet && self.presses != self.panel.presses() {
+            (self.since, self.presses) = (now, self.panel.presses());
+        }
+        !self.panel.is_left() && self.stays.most().is_none_or(|most| now.since(self.since) < most)
     }
 }
 

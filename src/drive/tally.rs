@@ -20,7 +20,7 @@ pub fn summary(failures: Vec<Failure>, succeeded: usize) -> Option<Failure> {
     Some(Failure { class: Class::Partial, code: "partial".to_owned(), ..said })
 }
 
-/// Whether a failure ends the session: the port is gone, or somebody pressed Ctrl-C.
+/// Whether a failure ends the session: the port or the drive is gone, or somebody pressed Ctrl-C.
 pub fn is_over(failure: &Failure) -> bool {
-    matches!(failure.class, Class::Port | Class::Interrupted)
+    failure.is_gone() || failure.class == Class::Interrupted
 }

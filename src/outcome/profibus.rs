@@ -1,7 +1,7 @@
 //! What `profibus` says.
 
 use super::{Decimal, ErrorDoc, Field, Value};
-use crate::text::Text;
+use crate::text::{Text, both};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -75,6 +75,17 @@ pub struct LiveStation {
     pub identifiers: Vec<Field>,
     /// Why it is not all told.
     pub error: Option<ErrorDoc>,
+}
+
+impl LiveStation {
+    /// Its state as what a slave does in it (IEC 61158-6-3), where one was told.
+    pub fn does(&self) -> Option<Text> {
+        Some(match self.state? {
+            "wait-prm" => both!("waits for Set_Prm", "wartet auf Set_Prm"),
+            "wait-cfg" => both!("waits for Chk_Cfg", "wartet auf Chk_Cfg"),
+            _ => both!("exchanges data", "tauscht Daten aus"),
+        })
+    }
 }
 
 /// A station that came, went, or is otherwise than before: a line of `profibus live --follow`.

@@ -51,6 +51,14 @@ pub enum LinkError {
         /// What the system said.
         message: Text,
     },
+    /// The port is there, and whoever should answer behind it does not any more.
+    #[error("{}", why.en)]
+    Gone {
+        /// The port.
+        port: String,
+        /// Why nobody answers.
+        why: Text,
+    },
     /// The adapter, or the other end of a connection, takes no bytes any more.
     #[error("port '{0}' takes no bytes: what is behind it does not fetch them")]
     Stuck(String),
@@ -122,6 +130,7 @@ impl LinkError {
             | LinkError::Lost(port)
             | LinkError::Unsent(port)
             | LinkError::Unacknowledged { port, .. }
+            | LinkError::Gone { port, .. }
             | LinkError::Setting { port, .. }
             | LinkError::Direction { port, .. }
             | LinkError::Unreachable { port, .. }

@@ -2,6 +2,7 @@
 //! what is sent lies there until he takes it, what he puts there is the answer, and his time is that of the link.
 
 use super::{LinkError, Wake};
+use crate::text::Text;
 use crate::tick::Tick;
 use std::fmt;
 use std::future::poll_fn;
@@ -22,8 +23,17 @@ struct Shared {
     answer: Option<Vec<u8>>,
     /// So many wait on the link.
     waiting: usize,
-    is_lost: bool,
+    lost: Option<Loss>,
     sleepers: Vec<Waker>,
+}
+
+/// Why nobody answers any more.
+#[derive(Clone, Debug)]
+enum Loss {
+    /// The port of who answers is gone.
+    Port,
+    /// Whoever should answer is, and why.
+    Drive(Text),
 }
 
 impl Shared {
@@ -40,7 +50,7 @@ impl Shared {
 impl Mailbox {
     /// Nothing lies in it yet. `name` is the port of who answers.
     pub fn new(name: String, now: Tick) -> Self {
-        let shared = Shared { now, question: None, answer: None, waiting: 0, is_lost: false, sleepers: Vec::new() };
+        let shared = Shared { now, question: None, answer: None, waiting: 0, lost: None, sleepers: Vec::new() };
         Mailbox { name, shared: Arc::new(Mutex::new(shared)) }
     }
 
@@ -65,10 +75,19 @@ impl Mailbox {
         shared.wakes();
     }
 
-    /// Nobody answers any more.
+    /// The port of who answers is gone.
     pub fn lose(&self) {
+        self.loses(Loss::Port);
+    }
+
+    /// Whoever should answer does not any more, though the port is there.
+    pub fn fall_silent(&self, why: Text) {
+        self.loses(Loss::Drive(why));
+    }
+
+    fn loses(&self, loss: Loss) {
         let mut shared = self.open();
-        shared.is_lost = true;
+        shared.lost = Some(loss);
         shared.wakes();
     }
 
@@ -92,8 +111,8 @@ impl Mailbox {
 
     pub(super) fn send(&self, bytes: &[u8]) -> Result<(), LinkError> {
         let mut shared = self.open();
-        if shared.is_lost {
-            return Err(self.lost());
+        if let Some(loss) = &shared.lost {
+            return Err(self.lost(loss));
         }
         (shared.question, shared.answer) = (Some(bytes.to_vec()), None);
         shared.wakes();
@@ -104,11 +123,11 @@ impl Mailbox {
         let _waits = Waits::on(self);
         poll_fn(|context| {
             let mut shared = self.open();
-            match shared.answer.take() {
-                Some(answer) => Poll::Ready(Ok(Wake::Bytes(answer))),
-                None if shared.is_lost => Poll::Ready(Err(self.lost())),
-                None if shared.now >= until => Poll::Ready(Ok(Wake::Silence)),
-                None => shared.sleeps(context),
+            match (shared.answer.take(), &shared.lost) {
+                (Some(answer), _) => Poll::Ready(Ok(Wake::Bytes(answer))),
+                (None, Some(loss)) => Poll::Ready(Err(self.lost(loss))),
+                (None, None) if shared.now >= until => Poll::Ready(Ok(Wake::Silence)),
+                (None, None) => shared.sleeps(context),
             }
         })
         .await
@@ -118,8 +137,11 @@ impl Mailbox {
         self.shared.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn lost(&self) -> LinkError {
-        LinkError::Lost(self.name.clone())
+    fn lost(&self, loss: &Loss) -> LinkError {
+        match loss {
+            Loss::Port => LinkError::Lost(self.name.clone()),
+            Loss::Drive(why) => LinkError::Gone { port: self.name.clone(), why: why.clone() },
+        }
     }
 }
 

@@ -8,6 +8,7 @@ mod described;
 mod ends;
 mod heard;
 mod keys;
+mod led;
 mod looked;
 mod rig;
 mod said;

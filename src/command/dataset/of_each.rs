@@ -129,7 +129,7 @@ pub(super) async fn write(
     let (permit, denied) = match permit(session, ask, &mut jobs).await {
         Ok(permit) => (permit, None),
         // Nothing was begun; a script is told what it would have been asked about.
-        Err(failure) if failure.class == Class::Port || !ask.is_there() => (None, Some(job::leave(&mut jobs, failure))),
+        Err(failure) if failure.is_gone() || !ask.is_there() => (None, Some(job::leave(&mut jobs, failure))),
         Err(failure) => return Err(failure),
     };
     let (mut drives, named, mut over) = (Vec::new(), jobs.len(), None);

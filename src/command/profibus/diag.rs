@@ -74,7 +74,7 @@ async fn looks(
     let left = exchange.leave().await.failure;
     let (status, values): (Vec<Value>, _) = haul.values.into_iter().partition(|value| value.param == STATUS);
     let word = status.into_iter().find_map(|value| value.word);
-    report.status = word.map(|word| Word { state: seen.map(profibus::state), ..word });
+    report.status = word.map(|word| Word { state: seen.and_then(profibus::state), ..word });
     report.missing =
         values.iter().filter(|value| value.param == RIGHT && value.raw != Some(1)).map(|_| no_right()).collect();
     found.leds = seen.map(|seen| profibus::leds(seen, &values)).unwrap_or_default();

@@ -3,6 +3,7 @@
 use super::given::SlaveArgs;
 use super::spoken::{Choice, usage};
 use crate::args::{MotionArgs, StopArg};
+use crate::command::running::leads::Way;
 use crate::drive::profibus::{Mode, Wanted};
 use crate::failure::Failure;
 use crate::gate::Relief;
@@ -12,7 +13,7 @@ use crate::text::{Text, both};
 /// What a motor is to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::command) enum Action {
-    /// Runs as long as this program holds it.
+    /// Runs as long as this program holds it: the furthest of its setpoints.
     Run(Wanted),
     /// Only takes motion away.
     Stop(Relief),
@@ -28,6 +29,8 @@ pub(in crate::command) struct Job<'j> {
     pub(in crate::command) motion: &'j MotionArgs,
     pub(in crate::command) slave: &'j SlaveArgs,
     pub(in crate::command) choice: Choice,
+    /// Where the setpoint of a run goes; nowhere without one.
+    pub(in crate::command) way: Option<Way>,
     /// The setpoint is waited for: what that means for a run.
     pub(in crate::command) until: Option<Text>,
 }
@@ -47,12 +50,12 @@ pub(in crate::command) fn wanted(text: &str) -> Result<Wanted, Failure> {
     })
 }
 
-/// Whether a setpoint takes motion away only.
-pub(in crate::command) fn is_zero(wanted: Wanted) -> bool {
-    matches!(wanted, Wanted::Hertz(0) | Wanted::Percent(0))
-}
-
 impl Job<'_> {
+    /// The verb that was typed.
+    pub(super) fn verb(&self) -> &'static str {
+        if self.word == "sollwert" { "sollwert" } else { "statemachine" }
+    }
+
     /// Whether it only takes motion away.
     pub(super) fn is_stop(&self) -> bool {
         matches!(self.action, Action::Stop(_))
@@ -82,8 +85,22 @@ impl Job<'_> {
 
 /// How a setpoint is said.
 pub(super) fn spoken(wanted: Wanted) -> String {
-    match wanted {
-        Wanted::Hertz(value) => format!("{} Hz", format_decimal(value, 2)),
-        Wanted::Percent(value) => format!("{} %", format_decimal(value, 2)),
+    format!("{} {}", format_decimal(wanted.value(), DECIMALS), wanted.unit())
+}
+
+/// Decimals of a setpoint.
+pub(super) const DECIMALS: u8 = 2;
+
+/// A run on a way: the furthest that the setpoint may ever be. The start word says the direction, so a way has one.
+pub(in crate::command) fn run_on(first: Wanted, Way { schedule, keys }: &Way) -> Result<Action, Failure> {
+    let all = schedule.values().chain(keys.iter().flat_map(|keys| [keys.min, keys.max]));
+    let (least, most) = all.fold((0, 0), |(least, most): (i64, i64), value| (least.min(value), most.max(value)));
+    if least < 0 && most > 0 {
+        return Err(usage(both!(
+            "over PROFIBUS a run has one direction, which its start word says: expected setpoints on one side of 0",
+            "am PROFIBUS hat ein Lauf eine Richtung, und die sagt sein Startwort: erwartet werden Sollwerte auf einer Seite von 0"
+        ))
+        .hint(both!("stop it, and run it the other way", "anhalten, und andersherum fahren")));
     }
+    Ok(Action::Run(first.at(if least < 0 { least } else { most })))
 }

@@ -1,20 +1,22 @@
 //! `sollwert` and `statemachine` with PROFIBUS spoken: a motor is run, stopped, reset and looked at by the words of PROFIdrive or of
 //! the Basic block, and every end is the same: the stop word until the frequency is 0, then zero outputs, Clear, Unlock.
 
-use super::job::{Action, Job, spoken};
+use super::job::{Action, DECIMALS, Job, spoken};
 use super::open;
 use super::spoken::usage;
 use super::taking::{Whom, question, whom};
 use super::told::{Told, report};
 use crate::args::{MotionArgs, StopArg};
+use crate::command::running::leads::{Leads, Way};
 use crate::command::running::{keypad, unsent};
 use crate::command::{Context, asking};
 use crate::drive::Panel;
-use crate::drive::profibus::{self, Bounds, Course, Exchange, Lending, Mode, Ramps, Rights, WATCHDOG, Wanted};
+use crate::drive::profibus::{self, Bounds, Course, Exchange, Lead, Lending, Mode, Ramps, Rights, WATCHDOG, Wanted};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Motion, Permit, Question, Relief};
 use crate::outcome::{Data, Event, Outcome, Plan};
 use crate::profile::Family;
+use crate::profile::setpoint::Schedule;
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -95,6 +97,9 @@ pub(in crate::command) async fn run(job: &Job<'_>, context: &mut Context<'_>) ->
     if stop == "coast" {
         exchange.coasts();
     }
+    if let Some(stays) = keypad::stays(panel, done.is_ok(), told.run.held) {
+        exchange.stays(panel.clone(), stays, done.as_ref().err().map(Failure::told));
+    }
     let ending = exchange.leave().await;
     Ok(report((job, stop), (whom.address, &family), told, done, ending))
 }
@@ -116,7 +121,9 @@ async fn run_it(
     } else {
         rights.lending(job.motion.take_control, job.motion.watchdog.is_some())
     };
-    let question = asks((job, mode), whom, wanted, (&rights, lending), told);
+    let still = Schedule::ramp(wanted.value(), wanted.value(), 0);
+    let way = job.way.clone().unwrap_or(Way { schedule: still, keys: None });
+    let question = asks((job, mode), whom, (wanted, &way), (&rights, lending), told);
     let agreed = exchange.during(gate::ask(ask, &question)).await;
     let agreed = agreed.map_err(|failure| match failure.class {
         Class::Interrupted => asking::interrupted(),
@@ -127,7 +134,10 @@ async fn run_it(
     if job.motion.dead_man {
         panel.needs_holding();
     }
-    exchange.show(family, job.word, (wanted, job.stop(mode)));
+    let (first, unit) = (wanted.at(way.schedule.at(0)), wanted.unit());
+    let (shown, refused) =
+        (way.keys.map(|keys| keys.shown(DECIMALS, unit)), way.keys.map(|keys| keys.refused(DECIMALS, unit)));
+    exchange.show(family, job.verb(), (first, job.stop(mode), shown));
     if job.motion.dead_man {
         exchange.tell(Event::Note(keypad::hold_a_key()));
         // The slave is kept going meanwhile, by the stop word.
@@ -138,7 +148,17 @@ async fn run_it(
     }
     exchange.starts();
     let bounds = Bounds { wait, duration: job.motion.duration, until: job.until.is_some() };
-    exchange.run(wanted, (&rights, lending), bounds, &mut told.run).await
+    let mut leads = Leads::new(&way.schedule, (way.keys, refused), panel);
+    let takes = leads.takes();
+    let mut is_on_its_way = true;
+    let mut next = |gone: Option<Span>| match gone {
+        Some(gone) => leads.on_its_way(gone),
+        // What was pressed on the way meant nothing yet.
+        None if std::mem::take(&mut is_on_its_way) => (leads.arrives(), None),
+        None => leads.by_arrows(),
+    };
+    let lead = Lead { first, furthest: wanted.value(), takes, next: &mut next };
+    exchange.run(lead, (&rights, lending), bounds, &mut told.run).await
 }
 
 /// What a run over PROFIBUS needs, and what it does not know.
@@ -182,16 +202,17 @@ fn watchdog(motion: &MotionArgs) -> Result<Span, Failure> {
 fn asks(
     (job, mode): (&Job<'_>, Mode),
     whom: &Whom<'_>,
-    wanted: Wanted,
+    (wanted, way): (Wanted, &Way),
     (rights, lending): (&Rights, Lending),
     told: &Told,
 ) -> Question {
-    let (address, setpoint) = (whom.address, spoken(wanted));
+    let (address, setpoint) = (whom.address, goes(wanted, way));
     let mut details: Vec<Text> = told.parting.clone().into_iter().collect();
     details.extend(match mode {
         Mode::Profidrive(_) => by_profidrive(wanted, rights, lending),
         Mode::Basic(ramps) => by_basic(ramps),
     });
+    details.extend(way.keys.map(|keys| keys.told(|raw| Text::name(spoken(wanted.at(raw))))));
     details.extend(job.until.clone());
     details.extend(job.motion.dead_man.then(only_held));
     let stop = match job.motion.on_exit {
@@ -206,15 +227,27 @@ fn asks(
         "er wird angehalten, wenn dieses Programm endet ({stop})",
         stop
     ));
-    let title = both!(
-        "station {address} on PROFIBUS: the motor runs, setpoint {setpoint}",
-        "Station {address} am PROFIBUS: der Motor läuft, Sollwert {setpoint}"
-    );
+    let title = match wanted.value() {
+        0 => both!(
+            "station {address} on PROFIBUS: the motor is enabled, setpoint {setpoint}",
+            "Station {address} am PROFIBUS: der Motor wird freigegeben, Sollwert {setpoint}"
+        ),
+        _ => both!(
+            "station {address} on PROFIBUS: the motor runs, setpoint {setpoint}",
+            "Station {address} am PROFIBUS: der Motor läuft, Sollwert {setpoint}"
+        ),
+    };
     let mut hazards = vec![Hazard::Motion];
     if lending != Lending::default() {
         hazards.insert(0, Hazard::Write);
     }
     Question { hazards, title, details }
+}
+
+/// Where a setpoint goes, as it is said.
+fn goes(wanted: Wanted, way: &Way) -> String {
+    let places: Vec<String> = way.schedule.turns().into_iter().map(|raw| spoken(wanted.at(raw))).collect();
+    places.join(" … ")
 }
 
 /// What a dead man is.
@@ -316,6 +349,13 @@ fn dry_run(job: &Job<'_>, whom: &Whom<'_>) -> Plan {
         "Station {address} wird übernommen (Set_Prm mit Überwachung, {configured}); diese Wörter folgen aufeinander; dann Ausgänge auf \
          null, Clear, Unlock"
     )];
+    if let (Action::Run(wanted), Some(way)) = (job.action, job.way.as_ref().filter(|way| way.schedule.end_us() > 0)) {
+        let (way, takes) = (goes(wanted, way), Span::from_micros(way.schedule.end_us()));
+        notes.push(both!(
+            "the setpoint is led in {takes}: {way}; the word shown is that of the furthest",
+            "der Sollwert wird in {takes} geführt: {way}; gezeigt ist das Wort des äußersten"
+        ));
+    }
     if job.choice.spoken.is_none() {
         notes.push(both!(
             "where Get_Cfg tells the Basic block, and --drive the series, its words go out instead: --mode basic shows them",

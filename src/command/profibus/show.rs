@@ -54,7 +54,7 @@ pub(in crate::command) async fn show(
     let report = StateReport {
         address,
         drive: family.drive.clone(),
-        state: seen.map(profibus::state),
+        state: seen.and_then(profibus::state),
         status: status.and_then(|status| status.word),
         control: None,
         control_mode: right,

@@ -4,7 +4,9 @@ use super::addresses;
 use super::given::SlaveArgs;
 use super::spoken::{Choice, Spoken};
 use crate::command::{Context, named_family};
-use crate::drive::profibus::{Exchange, Gsd, LOCKED, Line, Mode, Taking, WATCHDOG, basic_block, described, of_gsd};
+use crate::drive::profibus::{
+    Exchange, Gsd, LOCKED, Line, Mode, OTHER_SERIES, Taking, WATCHDOG, basic_block, described, of_gsd,
+};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Motion, Permit, Question};
 use crate::outcome::Event;
@@ -39,7 +41,8 @@ pub(super) fn whom<'s>(slave: &'s SlaveArgs, context: &Context<'_>) -> Result<Wh
 }
 
 impl Whom<'_> {
-    /// The family of the inverter. Where everything but P.927 is locked nothing tells it, and whoever means nothing else does without.
+    /// The family of the inverter. Where everything but P.927 is locked nothing tells it, and it may be another one than was named: whoever only
+    /// stops or resets it does without.
     pub(super) async fn family(
         &self,
         exchange: &mut Exchange<'_, '_>,
@@ -47,7 +50,7 @@ impl Whom<'_> {
         does_without: bool,
     ) -> Result<Rc<Family>, Failure> {
         match exchange.family(self.named.clone(), registry).await {
-            Err(failure) if does_without && failure.code == LOCKED => {
+            Err(failure) if does_without && [LOCKED, OTHER_SERIES].contains(&&*failure.code) => {
                 let hint = failure.hint.as_deref().cloned().unwrap_or_default();
                 exchange.tell(Event::Note(Text::join([&failure.message, &hint], "; ")));
                 Ok(self.presumed.clone())

@@ -63,8 +63,10 @@ pub(in crate::command) async fn through(
         }
     };
     let left = exchange.leave().await.failure;
-    // To the work a slave that is gone was a port that is lost.
-    let true_one = |failure: Failure| lost.clone().filter(|_| failure.class == Class::Port).unwrap_or(failure);
+    // The work knows only that the slave is gone; why, and what to do, is told by who kept it going.
+    let true_one = |failure: Failure| {
+        lost.clone().filter(|_| failure.is_gone() && failure.class != Class::Partial).unwrap_or(failure)
+    };
     let Outcome { data, mut warnings, failure } = match done {
         Ok(outcome) => outcome,
         Err(failure) => return Err(left.unwrap_or_else(|| true_one(failure))),

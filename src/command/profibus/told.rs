@@ -3,11 +3,11 @@
 use super::job::{Action, Job};
 use crate::command::running::kept_back;
 use crate::drive::EndedBy;
-use crate::drive::profibus::{Ending, Run, Seen, Wanted, coasting, state};
+use crate::drive::profibus::{Ending, Run, Seen, Wanted, coasting, off, state};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Decimal, Motion, Outcome, Setpoint, Stop};
 use crate::profile::Family;
-use crate::text::{Text, both};
+use crate::text::Text;
 
 /// What was told before, and what a run came to.
 #[derive(Debug, Default)]
@@ -60,7 +60,7 @@ pub(super) fn report(
         because,
         acknowledged: is_dark,
         standing,
-        state: seen.map(state),
+        state: seen.and_then(state),
         note: (is_dark && has_turned && standing.is_none()).then(off),
     };
     let data = Motion {
@@ -68,8 +68,8 @@ pub(super) fn report(
         drive: family.drive.clone(),
         action: job.word.to_owned(),
         mode: is_run.then(|| "frequency".to_owned()),
-        from: told.from.map(state),
-        to: seen.map(state),
+        from: told.from.and_then(state),
+        to: seen.and_then(state),
         steps: told.run.steps.clone(),
         setpoint: setpoint(job, &told.run, seen),
         changed,
@@ -84,14 +84,6 @@ pub(super) fn report(
     Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
 }
 
-/// What is known of a shaft whose output went dark before it stood.
-fn off() -> Text {
-    both!(
-        "the output is off, and whether the shaft stands nothing tells",
-        "der Ausgang ist aus; ob die Welle steht, sagt nichts"
-    )
-}
-
 fn beside(left: Failure, why: &Failure) -> Failure {
     let mut left = left;
     left.message = Text::join([&left.message, &why.told()], "; ");
@@ -101,10 +93,11 @@ fn beside(left: Failure, why: &Failure) -> Failure {
 fn setpoint(job: &Job<'_>, run: &Run, seen: Option<Seen>) -> Option<Setpoint> {
     let Action::Run(wanted) = job.action else { return None };
     run.reached?;
-    let (raw, unit, full) = match wanted {
-        Wanted::Hertz(raw) => (raw, "Hz", run.maximum),
-        Wanted::Percent(raw) => (raw, "%", Some(10_000)),
+    let full = match wanted {
+        Wanted::Hertz(_) => run.maximum,
+        Wanted::Percent(_) => Some(10_000),
     };
+    let raw = run.given.unwrap_or(wanted.value());
     // 4000h is 100 % of A004.
     let actual = run.actual.zip(full).map(|(hiw, full)| i64::from(hiw) * full / 0x4000);
     Some(Setpoint {
@@ -112,7 +105,7 @@ fn setpoint(job: &Job<'_>, run: &Run, seen: Option<Seen>) -> Option<Setpoint> {
         value: Decimal { raw, decimals: 2 },
         denominator: None,
         effective: None,
-        unit: unit.to_owned(),
+        unit: wanted.unit().to_owned(),
         writes: run.setpoints,
         reached: run.reached,
         actual: actual.map(|raw| Decimal { raw, decimals: 2 }),

@@ -4,9 +4,9 @@
 use super::{Plan, asking};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::monitor;
-use crate::drive::motion::{Ended, Motor, Situation, Stays, Watched, look};
-use crate::drive::{EndedBy, Interrupt, Panel, Session, Target};
-use crate::failure::{Class, Failure, may_turn};
+use crate::drive::motion::{Ended, Motor, Situation, Watched, look};
+use crate::drive::{EndedBy, Interrupt, Panel, Session, Stays, Target, last_told};
+use crate::failure::{Class, Failure};
 use crate::gate::{self, Permit};
 use crate::outcome::Event;
 use crate::text::{Text, both};
@@ -81,6 +81,18 @@ pub(in crate::command) fn hold_a_key() -> Text {
     both!("hold Enter or an arrow: it runs only as long", "Enter oder einen Pfeil halten: nur so lange läuft er")
 }
 
+/// How long the view of a run stays behind its end; `None` where nobody looks any more, or nothing was held.
+pub(in crate::command) fn stays(panel: &Panel, is_well: bool, was_held: bool) -> Option<Stays> {
+    let stays = match panel.ended() {
+        Some(EndedBy::Key) => Stays::UntilLeft,
+        None if was_held && is_well => Stays::UntilQuiet,
+        None if was_held => Stays::AWhile,
+        // Who lets go of the dead man's key has left.
+        _ => return None,
+    };
+    (!panel.is_left()).then_some(stays)
+}
+
 /// A run that was held and ended by its keypad came to its normal end, unless somebody interrupted as well. Where it was only
 /// stopped its view stays until somebody leaves.
 pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan: &Plan<'_>, interrupt: &Interrupt) {
@@ -96,21 +108,9 @@ pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan
         ended.result = Ok(());
         stop.because = if by == Some(EndedBy::Key) { "key" } else { "dead-man" };
     }
-    let stays = match (by, &ended.result) {
-        (Some(EndedBy::Key), _) => Stays::UntilLeft,
-        (None, Err(_)) if was_held => Stays::AWhile,
-        (None, Ok(())) if was_held => Stays::UntilQuiet,
-        // Who lets go of the dead man's key has left.
-        _ => return,
-    };
-    if panel.is_left() {
-        return;
-    }
+    let Some(stays) = stays(panel, ended.result.is_ok(), was_held) else { return };
     let stands = ended.stop.as_ref().is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
-    let told = match stands {
-        true => both!("the stop was acknowledged, the shaft stands", "der Halt wurde bestätigt, die Welle steht"),
-        false => may_turn(),
-    };
+    let told = last_told(stands);
     let told = match &ended.result {
         Err(failure) if !is_interrupted => Text::join([&failure.told(), &told], "; "),
         _ => told,

@@ -1,14 +1,14 @@
 //! What was typed, and what it means in the words of a family.
 
 use super::Args;
-use super::keys::Keys;
 use super::unit::{modes, unit_mode};
 use crate::args::parse_span;
+use crate::command::running::keys::{Keys, bad as bad_keys, other_unit};
 use crate::command::stop_meant;
 use crate::drive::motion::Total;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::outcome::{Decimal, RunKeys};
+use crate::outcome::RunKeys;
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
 use crate::profile::value::{self, check_range, format_decimal, parse_decimal};
 use crate::profile::{Family, Mode, Param, Start, Type};
@@ -154,34 +154,17 @@ impl Wanted {
 
     /// What the arrows do, as it is shown.
     pub(super) fn shown_keys(&self) -> Option<RunKeys> {
-        let Keys { step, min, max } = self.keys?;
-        let value = |raw: i64| Decimal { raw, decimals: self.param.decimals_or_zero() };
-        let unit = self.param.unit.clone().unwrap_or_default();
-        Some(RunKeys { step: value(step), min: value(min), max: value(max), unit })
+        self.keys.map(|keys| keys.shown(self.param.decimals_or_zero(), self.param.unit.as_deref().unwrap_or("")))
     }
 
     /// What is agreed to that the arrows may do.
     pub(super) fn told_keys(&self, family: &Family) -> Option<Text> {
-        let Keys { step, min, max } = self.keys?;
-        let [step, min, max] = [step, min, max].map(|raw| self.shown(raw, family));
-        Some(both!(
-            "the arrows change the setpoint by {step}, from {min} to {max}",
-            "die Pfeile ändern den Sollwert um {step}, von {min} bis {max}",
-            step,
-            min,
-            max
-        ))
+        self.keys.map(|keys| keys.told(|raw| self.shown(raw, family)))
     }
 
     /// What a key is told that would have left the bounds.
     pub(super) fn refused_key(&self) -> Option<Text> {
-        let Keys { min, max, .. } = self.keys?;
-        let [min, max] = [min, max].map(|raw| format_decimal(raw, self.param.decimals_or_zero()));
-        let unit = self.param.unit.as_deref().unwrap_or("");
-        Some(both!(
-            "agreed are {min} to {max} {unit}, no further",
-            "vereinbart sind {min} bis {max} {unit}, weiter nicht"
-        ))
+        self.keys.map(|keys| keys.refused(self.param.decimals_or_zero(), self.param.unit.as_deref().unwrap_or("")))
     }
 
     /// A value with its unit, as people write it.
@@ -216,7 +199,8 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
             })?,
     };
     let said = every_point(spoken, mode, family)?;
-    let schedule = schedule(spoken, &said)?;
+    let raw: Vec<i64> = said.iter().map(|one| one.raw).collect();
+    let schedule = schedule(spoken, &raw)?;
     check_codes(args, mode, family, &schedule)?;
     let mut settings = options(args, mode, family)?;
     settings.extend(source(args, mode, family)?);
@@ -224,7 +208,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
     let denominator = said.first().and_then(|one| one.denominator);
     let by_speed = said.first().is_some_and(|one| one.by_speed);
     let wanted = Wanted {
-        keys: Keys::of(&args.keypad, (mode, family), &schedule, (by_speed, args.motion.wants_keys()))?,
+        keys: keys(args, (mode, family), &schedule, by_speed)?,
         param: family.param_or_unknown(mode.setpoint),
         by_speed,
         denominator: mode.denominator.zip(denominator).map(|(id, raw)| set(id, raw)),
@@ -238,6 +222,29 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
     wanted.check_widths()?;
     fits_mode(args, spoken, mode)?;
     Ok(wanted)
+}
+
+/// What the arrows do, in the words of the mode.
+fn keys(
+    args: &Args,
+    (mode, family): (&Mode, &Family),
+    schedule: &Schedule,
+    by_speed: bool,
+) -> Result<Option<Keys>, Failure> {
+    let is_followed = mode.zero && mode.starts.is_empty() && mode.codes.is_none() && mode.denominator.is_none();
+    if args.keypad.step.is_some() && !is_followed {
+        return Err(bad_keys(both!(
+            "--step is for a setpoint that the shaft follows, not for '{mode}'",
+            "--step gilt für einen Sollwert, dem die Welle folgt, nicht für '{mode}'",
+            mode = mode.text()
+        )));
+    }
+    let raw = |flag: &str, text: &str| {
+        let wrong = |error: value::ValueError| bad_keys(both!("{flag}: {why}", "{flag}: {why}", why = error.text()));
+        let said = setpoint::parse(family, mode, text).map_err(wrong)?;
+        (said.by_speed == by_speed).then_some(said.raw).ok_or_else(|| other_unit(flag, text))
+    };
+    Keys::of(&args.keypad, raw, schedule, args.motion.wants_keys())
 }
 
 /// The failure of a point: with its place, where it stands in a file.
@@ -259,11 +266,7 @@ fn every_point(spoken: &Spoken, mode: &Mode, family: &Family) -> Result<Vec<setp
             error => at_point(spoken, point, error.text()),
         })?;
         if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
-            return Err(at_point(
-                spoken,
-                point,
-                both!("all setpoints must have the same unit", "alle Sollwerte brauchen dieselbe Einheit"),
-            ));
+            return Err(at_point(spoken, point, one_unit()));
         }
         said.push(one);
     }
@@ -341,9 +344,29 @@ fn named_mode<'f>(args: &Args, family: &'f Family) -> Result<Option<&'f Mode>, F
     })
 }
 
-fn schedule(spoken: &Spoken, said: &[setpoint::Said]) -> Result<Schedule, Failure> {
-    let points: Vec<(u64, i64)> =
-        spoken.points.iter().map(|point| point.us).zip(said.iter().map(|one| one.raw)).collect();
+/// The way of a setpoint in words that no family has, and its unit: `parse` understands a number with its unit, which is one for all.
+pub(super) fn way<U: PartialEq + Copy>(
+    spoken: &Spoken,
+    parse: impl Fn(&str) -> Result<(i64, U), Failure>,
+) -> Result<(Schedule, U), Failure> {
+    let (mut raw, mut unit) = (Vec::new(), None);
+    for point in &spoken.points {
+        let (value, its) = parse(&point.text).map_err(|why| at_point(spoken, point, why.message))?;
+        if *unit.get_or_insert(its) != its {
+            return Err(at_point(spoken, point, one_unit()));
+        }
+        raw.push(value);
+    }
+    let none = || bad(both!("expected a setpoint such as 25Hz", "erwartet: ein Sollwert wie 25Hz"));
+    Ok((schedule(spoken, &raw)?, unit.ok_or_else(none)?))
+}
+
+fn one_unit() -> Text {
+    both!("all setpoints must have the same unit", "alle Sollwerte brauchen dieselbe Einheit")
+}
+
+fn schedule(spoken: &Spoken, raw: &[i64]) -> Result<Schedule, Failure> {
+    let points: Vec<(u64, i64)> = spoken.points.iter().map(|point| point.us).zip(raw.iter().copied()).collect();
     match (&spoken.file, points.as_slice()) {
         (Some(path), _) => Schedule::steps(points).map_err(|point| {
             let line = spoken.points.get(point.saturating_sub(1)).map_or(0, |point| point.line);

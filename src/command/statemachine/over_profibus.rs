@@ -1,9 +1,10 @@
-//! `statemachine` with PROFIBUS spoken: the state, a stop, or a reset. What runs is given as a setpoint.
+//! `statemachine` with PROFIBUS spoken: the state, a stop, a reset, or a motor that is held enabled. What turns is given as a setpoint.
 
 use super::{Action, Args};
 use crate::command::profibus::job::{self, Job};
 use crate::command::profibus::run::{self, no_quick_stop};
 use crate::command::{Context, profibus};
+use crate::drive::profibus::Wanted;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Outcome;
@@ -19,6 +20,8 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
             (job::Action::Stop(Relief::QuickStop), "quick-stop", motion)
         }
         Some(Action::Reset(motion)) => (job::Action::Reset, "reset", motion),
+        // A motor that is enabled, and stands at its setpoint of 0.
+        Some(Action::Enable(motion)) if motion.hold => (job::Action::Run(Wanted::Hertz(0)), "enable", motion),
         Some(
             Action::Shutdown(_)
             | Action::SwitchOn(_)
@@ -27,12 +30,10 @@ pub(super) async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcom
             | Action::Contacts { .. },
         ) => return Err(not_held()),
     };
-    let motion = motion.of_a_stop();
-    run::run(
-        &Job { action, word, motion: &motion, slave: &args.slave, choice: args.mode.choice(), until: None },
-        context,
-    )
-    .await
+    let is_run = matches!(action, job::Action::Run(_));
+    let motion = if is_run { motion.clone() } else { motion.of_a_stop() };
+    let (slave, choice) = (&args.slave, args.mode.choice());
+    run::run(&Job { action, word, motion: &motion, slave, choice, way: None, until: None }, context).await
 }
 
 /// The state of a slave is that of the word which this program sends it in every cycle.
@@ -42,7 +43,9 @@ fn not_held() -> Failure {
         "am PROFIBUS dauert ein Zustand nur, solange dieses Programm Daten austauscht: es gibt kein Ziel, das bleibt"
     );
     Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
-        "`antrieb --protocol dp sollwert 20Hz --enable --hold` runs it as long as you hold it; `statemachine disable` stops it",
-        "`antrieb --protocol dp sollwert 20Hz --enable --hold` fährt ihn, solange gehalten wird; `statemachine disable` hält ihn an"
+        "`antrieb --protocol dp statemachine enable --hold` holds it enabled, `antrieb --protocol dp sollwert 20Hz --enable --hold` runs it; \
+         `statemachine disable` stops it",
+        "`antrieb --protocol dp statemachine enable --hold` hält ihn freigegeben, `antrieb --protocol dp sollwert 20Hz --enable --hold` \
+         fährt ihn; `statemachine disable` hält ihn an"
     ))
 }

@@ -37,7 +37,7 @@ pub struct Step {
 
 /// Leaves out what is planned: nobody said yes, or the port went away before anything was sent.
 pub fn leave(jobs: &mut [Job], mut failure: Failure) -> Failure {
-    if failure.class == Class::Port {
+    if failure.is_gone() {
         failure.message = both!("{why}; nothing was begun", "{why}; es wurde nichts begonnen", why = failure.message);
     }
     let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);

@@ -45,7 +45,7 @@ pub use stop::StopChoice;
 pub use taking::taken_over;
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
-pub use watched::{Stays, Watched};
+pub use watched::Watched;
 
 use super::access::AccessError;
 use super::interrupt::Interrupt;

@@ -6,7 +6,7 @@ use super::look::status_word;
 use super::{Motor, StopChoice};
 use crate::drive::describe;
 use crate::drive::interrupt::Interrupt;
-use crate::drive::panel::Panel;
+use crate::drive::panel::{Lingering, Panel, Stays};
 use crate::drive::transfer::Reading;
 use crate::drive::watch::Memory;
 use crate::drive::{AccessError, Item, Session, Target};
@@ -30,28 +30,6 @@ const COST: Span = Span::from_millis(60);
 const STALE: Span = Span::from_secs(3);
 /// Where one was not answered none is asked for so long.
 const SULK: Span = Span::from_secs(5);
-
-/// How long the view of a run stays behind its end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stays {
-    /// Until somebody leaves.
-    UntilLeft,
-    /// Until somebody leaves, a minute at most: long enough for a diagnosis.
-    AWhile,
-    /// Until no key repeats any more: what is still pressed would be typed into the shell, where an arrow and Enter run the same
-    /// line again.
-    UntilQuiet,
-}
-
-impl Stays {
-    fn most(self) -> Option<Span> {
-        match self {
-            Stays::UntilLeft => None,
-            Stays::AWhile => Some(Span::from_secs(60)),
-            Stays::UntilQuiet => Some(Span::from_millis(1_200)),
-        }
-    }
-}
 
 /// What is shown of a run.
 #[derive(Debug)]
@@ -433,12 +411,8 @@ impl Motor<'_, '_> {
     pub async fn linger(&mut self, interrupt: &Interrupt, told: Text, stays: Stays) {
         self.comes_to("ended", None);
         self.tell(told);
-        let panel = interrupt.panel();
-        let (mut since, mut presses) = (self.session.now(), panel.presses());
-        while !panel.is_left() && stays.most().is_none_or(|most| self.session.now().since(since) < most) {
-            if stays == Stays::UntilQuiet && presses != panel.presses() {
-                (since, presses) = (self.session.now(), panel.presses());
-            }
+        let mut lingering = Lingering::new(interrupt.panel().clone(), stays, self.session.now());
+        while lingering.goes_on(self.session.now()) {
             // Who interrupts here has left; a lost port ends the next question as well.
             let _over = self.look_for_view().await;
             if self.spend(EVERY, None).await.is_err() {

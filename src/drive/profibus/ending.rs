@@ -8,6 +8,8 @@
 use super::exchange::{Exchange, LOST, Lent, RIGHT, TO_TERMINALS};
 use super::mode::{Seen, Words};
 use super::trouble;
+use crate::drive::panel::Lingering;
+use crate::drive::{Panel, Stays, last_told};
 use crate::exchange::dp::{Cycle, Place, Request};
 use crate::failure::Failure;
 use crate::outcome::Change;
@@ -59,12 +61,29 @@ impl Exchange<'_, '_> {
             return Ending::default();
         }
         self.comes_to("stopping", None);
-        let stopped = match self.stop().await {
+        let mut stopped = match self.stop().await {
             Err(why) if self.ours && why.code != trouble::NOT_STILL => {
                 Err(trouble::unreached(why, self.mode(), self.behind))
             }
             done => done,
         };
+        if let Some((panel, stays, why)) = self.stays.take()
+            && (stopped.is_ok() || is_turning(&stopped))
+        {
+            let told = match (stopped.is_ok(), self.still.standing()) {
+                (true, None) => trouble::off(),
+                (is_dark, standing) => last_told(is_dark && standing == Some(true)),
+            };
+            let told = Text::join(&why.into_iter().chain([told]).collect::<Vec<_>>(), "; ");
+            self.lingers(Lingering::new(panel, stays, self.line.now()), told).await;
+            // Meanwhile it may have begun to turn. Who is lost behind a stop that was proven is told as lost by what comes next.
+            if stopped.is_ok()
+                && let Err(why) = self.stop().await
+                && why.code == trouble::NOT_STILL
+            {
+                stopped = Err(why);
+            }
+        }
         let returned = if stopped.is_ok() { self.give_back().await } else { Ok(()) };
         let seen = self.seen;
         let released = self.release(stopped.is_ok()).await;
@@ -81,6 +100,11 @@ impl Exchange<'_, '_> {
             notes: std::mem::take(&mut self.notes),
             failure: stopped.and(returned).and(released).err(),
         }
+    }
+
+    /// The view of the run stays behind its end, under the stop word, for whoever looks at it. `why` is what went wrong with it.
+    pub fn stays(&mut self, panel: Panel, stays: Stays, why: Option<Text>) {
+        self.stays = Some((panel, stays, why));
     }
 
     /// From here on the end goes out, for a while also where nobody is heard.

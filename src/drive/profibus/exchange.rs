@@ -9,6 +9,7 @@ use super::mode::{Mode, Seen, Words};
 use super::shown::Shown;
 use super::still::Still;
 use super::trouble;
+use crate::drive::{Panel, Stays};
 use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble, Unanswered};
 use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
@@ -95,6 +96,8 @@ pub struct Exchange<'l, 'a> {
     pub(super) behind: Option<u32>,
     /// What is shown of a run, if this is one.
     pub(super) shown: Option<Shown>,
+    /// Who goes on looking at it behind its end, and for how long; whatever went wrong with it.
+    pub(super) stays: Option<(Panel, Stays, Option<Text>)>,
 }
 
 impl std::fmt::Debug for Exchange<'_, '_> {
@@ -136,6 +139,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             notes: Vec::new(),
             behind: None,
             shown: None,
+            stays: None,
         }
     }
 

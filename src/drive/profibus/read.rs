@@ -41,7 +41,9 @@ impl Exchange<'_, '_> {
         let told = self.read(SERIES).await?;
         let presumed = || registry.family(PRESUMED).filter(|_| is_mute);
         if let Some(family) = named.or_else(presumed) {
-            return Ok(family);
+            let found = told.ok().and_then(series_named).filter(|found| is_series(&family) && *found != family.drive);
+            return found
+                .map_or(Ok(family.clone()), |found| Err(trouble::other_series(self.address(), &family, found)));
         }
         let series = match told {
             // Where all others are locked, P.927 is not.
@@ -126,6 +128,11 @@ impl Exchange<'_, '_> {
             told
         ))
     }
+}
+
+/// Whether a family is one of which P.624 tells.
+fn is_series(family: &Family) -> bool {
+    NAMES.iter().any(|(_, name)| *name == family.drive)
 }
 
 /// The word of a series, as P.624 tells it.

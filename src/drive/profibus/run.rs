@@ -4,11 +4,11 @@ use super::exchange::{Exchange, LOST, RIGHT};
 use super::mode::{Seen, Words};
 use super::state;
 use super::trouble;
-use super::words::{FULL, SMALL, Wanted, hundredths, part};
+use super::words::{FULL, Lead, SMALL, Wanted, part};
 use crate::exchange::dp::{Cycle, Place};
 use crate::failure::{Class, Failure};
 use crate::outcome::Step;
-use crate::tick::{Span, Tick};
+use crate::tick::Span;
 
 /// How far a measured scale may be from what A004 tells, percent: P.611 has steps of 0.01 Hz.
 const TOLERANCE: i64 = 4;
@@ -90,6 +90,8 @@ pub struct Run {
     pub reached: Option<bool>,
     /// It was held, so that ending it by a key is its normal end.
     pub held: bool,
+    /// Where the setpoint was led to last, of the unit of the run.
+    pub given: Option<i64>,
     /// Frequency that was seen last before the end, of 4000h.
     pub actual: Option<i32>,
 }
@@ -118,27 +120,23 @@ impl Exchange<'_, '_> {
     /// Starts the motor and holds it there until the duration is over, or until somebody interrupts, which is an error.
     pub async fn run(
         &mut self,
-        wanted: Wanted,
+        lead: Lead<'_>,
         (rights, lending): (&Rights, Lending),
         bounds: Bounds,
         run: &mut Run,
     ) -> Result<(), Failure> {
-        let done = self.walks(wanted, (rights, lending), bounds, run).await;
+        let done = self.walks(lead, (rights, lending), bounds, run).await;
         done.map_err(|failure| if failure.class == Class::Interrupted { trouble::ended() } else { failure })
     }
 
     async fn walks(
         &mut self,
-        wanted: Wanted,
+        mut lead: Lead<'_>,
         (rights, lending): (&Rights, Lending),
-        bounds: Bounds,
+        Bounds { wait, duration, until }: Bounds,
         run: &mut Run,
     ) -> Result<(), Failure> {
-        let Bounds { wait, duration, until } = bounds;
-        let (value, is_hertz) = match wanted {
-            Wanted::Hertz(value) => (value, true),
-            Wanted::Percent(value) => (value, false),
-        };
+        let (value, is_hertz) = (lead.furthest, matches!(lead.first, Wanted::Hertz(_)));
         let most = match (self.mode().is_basic(), is_hertz) {
             (true, true) => *HERTZ.end(),
             (true, false) => return Err(trouble::no_maximum(self.address())),
@@ -156,23 +154,26 @@ impl Exchange<'_, '_> {
         }
         self.prepare(wait, run).await?;
         let word = self.mode().start(value);
-        let (hsw, maximum) = if self.mode().is_basic() {
+        let maximum = match (self.mode().is_basic(), is_hertz) {
             // A word is 0.01 Hz there, and so 4000h is 163.84 Hz.
-            (hundredths(value), *run.maximum.insert(FULL))
-        } else {
-            let maximum = if is_hertz { self.measured(word, (value, rights), wait, run).await? } else { 10_000 };
-            if value.abs() > maximum {
-                return Err(trouble::beyond(self.address(), maximum, is_hertz, rights.called));
-            }
-            (part(value, maximum), maximum)
+            (true, _) => *run.maximum.insert(FULL),
+            (false, true) => self.measured(word, (value, rights), wait, run).await?,
+            (false, false) => 10_000,
         };
+        if !self.mode().is_basic() && value.abs() > maximum {
+            return Err(trouble::beyond(self.address(), maximum, is_hertz, rights.called));
+        }
         self.is_scaled(maximum);
+        let first = lead.first.value();
+        run.given = Some(first);
+        let hsw = self.hsw(first, maximum);
         self.start(Words { stw: word, hsw }, wait, run).await?;
         self.turns(hsw, wait, run).await?;
+        self.leads(&mut lead, (maximum, wait), run).await?;
         if until {
-            self.reaches(hsw, wait, run).await?;
+            self.reaches(self.words.hsw, wait, run).await?;
         }
-        self.hold(hsw, duration, run).await
+        self.holds(&mut lead, maximum, duration, run).await
     }
 
     /// Looks at the motor under the stop word.
@@ -298,7 +299,7 @@ impl Exchange<'_, '_> {
     }
 
     /// A run is proven by who controls, and by the frequency; the bits of the status word say what was commanded.
-    async fn turns(&mut self, hsw: u16, wait: Span, run: &mut Run) -> Result<(), Failure> {
+    pub(super) async fn turns(&mut self, hsw: u16, wait: Span, run: &mut Run) -> Result<(), Failure> {
         if let Some(who) = self.told(WHO).await?.filter(|who| who & BOTH != BOTH) {
             let seen = self.look().await?;
             return Err(trouble::others(self.address(), who, seen));
@@ -337,20 +338,8 @@ impl Exchange<'_, '_> {
         }
     }
 
-    fn is_near(&self, seen: Seen, hsw: u16) -> bool {
+    pub(super) fn is_near(&self, seen: Seen, hsw: u16) -> bool {
         seen.hiw.unsigned_abs().abs_diff(hsw.into()) <= self.mode().close()
-    }
-
-    async fn hold(&mut self, hsw: u16, duration: Option<Span>, run: &mut Run) -> Result<(), Failure> {
-        let end: Option<Tick> = duration.map(|duration| self.line.now() + duration);
-        (run.held, self.ends) = (true, end);
-        self.comes_to("held", end);
-        while end.is_none_or(|end| self.line.now() < end) {
-            let seen = self.obeying().await?;
-            run.actual = Some(seen.hiw);
-            run.reached = Some(self.is_near(seen, hsw) || seen.is_reached());
-        }
-        Ok(())
     }
 
     /// What a word is called in each mode.
@@ -373,7 +362,7 @@ impl Exchange<'_, '_> {
     }
 
     /// What comes in one cycle of a motor that was started.
-    async fn obeying(&mut self) -> Result<Seen, Failure> {
+    pub(super) async fn obeying(&mut self) -> Result<Seen, Failure> {
         let seen = self.look().await?;
         if seen.is_faulted() {
             return Err(trouble::tripped(self.address()));
@@ -390,7 +379,7 @@ fn step(command: &str, words: Words, seen: Seen, took: Span) -> Step {
         transition: "STW".to_owned(),
         command: Some(command.to_owned()),
         control: Some(format!("0x{:04X}", words.stw)),
-        state: state::of(seen),
+        state: state::or_untold(seen),
         took_ms: took.as_millis(),
     }
 }

@@ -58,18 +58,8 @@ pub fn found(station: &LiveStation, (port, line): (&str, &str), drive: Option<&s
         line: line.to_owned(),
         protocol: crate::protocol::dp::NAME.to_owned(),
         evidence: [Some(row("FDL status", station.kind, is)), cfg, ident].into_iter().flatten().collect(),
-        state: station.state.map(state),
+        state: station.state.zip(station.does()).map(|(slug, name)| State { slug: slug.to_owned(), name }),
         fault: None,
         warnings: station.error.as_ref().map(|ErrorDoc { message, .. }| message.clone()),
     }
-}
-
-/// A state of DP-V0 by its word.
-fn state(slug: &'static str) -> State {
-    let name = match slug {
-        "wait-prm" => both!("waits for parameters", "wartet auf Parameter"),
-        "wait-cfg" => both!("waits for configuration", "wartet auf Konfiguration"),
-        _ => both!("data exchange", "Datenaustausch"),
-    };
-    State { slug: slug.to_owned(), name }
 }

@@ -3,7 +3,7 @@
 
 use super::exchange::Exchange;
 use crate::exchange::dp::{Place, Request, Told};
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::protocol::dp::pkw::{self, Pkw, Task};
 use crate::transport::Mailbox;
 use std::convert::Infallible;
@@ -22,7 +22,7 @@ impl Exchange<'_, '_> {
     }
 
     /// Keeps the slave going as long as the work lasts, and puts to it what the work asks. What was done, and why the exchange ended before
-    /// it: then the work was told that the port is lost. Who interrupts means the work.
+    /// it: then the work was told that the port is lost, or the slave. Who interrupts means the work.
     pub async fn serve<T>(&mut self, mailbox: &Mailbox, work: impl Future<Output = T>) -> (T, Option<Failure>) {
         let mut work = pin!(work);
         let mut lost = None;
@@ -34,8 +34,11 @@ impl Exchange<'_, '_> {
                     biased;
                     done = &mut work => break done,
                     Err(why) = &mut kept, if lost.is_none() => {
+                        match why.class {
+                            Class::Port => mailbox.lose(),
+                            _ => mailbox.fall_silent(why.told()),
+                        }
                         lost = Some(why);
-                        mailbox.lose();
                     }
                 }
             }

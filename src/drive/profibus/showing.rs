@@ -5,29 +5,32 @@ use super::exchange::Exchange;
 use super::mode::{Mode, Seen};
 use super::shown::{EVERY, Shown, seconds};
 use super::words::{FULL, Wanted};
+use crate::drive::panel::Lingering;
 use crate::failure::Failure;
-use crate::outcome::{Decimal, ErrorDoc, Event, Record, RunNews, SCHEMA_VERSION, StreamStart, WatchedDrive};
+use crate::outcome::{Decimal, ErrorDoc, Event, Record, RunKeys, RunNews, SCHEMA_VERSION, StreamStart, WatchedDrive};
 use crate::profile::Family;
+use crate::text::Text;
 use crate::tick::Tick;
 use std::rc::Rc;
 
 impl Exchange<'_, '_> {
     /// From now on it is shown: says what is going to be. `stop` is how it ends, by the words of `--on-exit`.
-    pub fn show(&mut self, family: &Rc<Family>, command: &'static str, (wanted, stop): (Wanted, &'static str)) {
+    pub fn show(
+        &mut self,
+        family: &Rc<Family>,
+        command: &'static str,
+        (wanted, stop, keys): (Wanted, &'static str, Option<RunKeys>),
+    ) {
         let t = Decimal { raw: 0, decimals: 6 };
-        let (raw, unit) = match wanted {
-            Wanted::Hertz(raw) => (raw, "Hz"),
-            Wanted::Percent(raw) => (raw, "%"),
-        };
         let news = RunNews {
             t,
             address: self.address(),
             phase: "waiting",
-            setpoint: Some(Decimal { raw, decimals: 2 }),
-            unit: Some(unit.to_owned()),
+            setpoint: Some(Decimal { raw: wanted.value(), decimals: 2 }),
+            unit: Some(wanted.unit().to_owned()),
             ends: None,
             stop,
-            keys: None,
+            keys,
         };
         // A percent of A004 is one of 4000h, and Basic mode tells 0.01 Hz.
         let maximum = match (wanted, self.mode()) {
@@ -74,6 +77,11 @@ impl Exchange<'_, '_> {
         self.records(news.map(Record::Run));
     }
 
+    /// The setpoint is led to this.
+    pub(super) fn is_set(&mut self, raw: i64) {
+        self.shown.iter_mut().for_each(|shown| shown.is_set(raw));
+    }
+
     /// It is stopped by another way from now on.
     pub(super) fn stops_by(&mut self, stop: &'static str) {
         let now = self.line.now();
@@ -84,6 +92,14 @@ impl Exchange<'_, '_> {
     /// What 4000h is was measured, in hundredths of the unit.
     pub(super) fn is_scaled(&mut self, maximum: i64) {
         self.shown.iter_mut().for_each(|shown| shown.maximum = Some(maximum));
+    }
+
+    /// Goes on showing the motor under the stop word until nobody looks any more, or the view has stayed long enough; a slave that is lost
+    /// ends it. `told` is what somebody is told of the end.
+    pub(super) async fn lingers(&mut self, mut lingering: Lingering, told: Text) {
+        self.comes_to("ended", None);
+        self.tell(Event::Note(told));
+        while lingering.goes_on(self.line.now()) && self.cycle().await.is_ok() {}
     }
 
     /// Tells what came in a cycle.
@@ -98,8 +114,8 @@ impl Exchange<'_, '_> {
 
     fn tells(&mut self, heard: Result<Seen, ErrorDoc>) {
         let (now, setpoint) = (self.line.now(), self.mode().signed(self.words));
-        let sample = self.shown.as_mut().and_then(|shown| shown.sample(now, setpoint, heard));
-        self.records(sample.map(Record::Sample));
+        let told = self.shown.as_mut().map(|shown| shown.sample(now, setpoint, heard));
+        self.records(told.into_iter().flatten());
     }
 
     fn records(&mut self, records: impl IntoIterator<Item = Record>) {

@@ -1,11 +1,13 @@
 //! What is known of a run that is shown: what its columns are, and what a cycle tells of them.
 
+use super::looked::fault;
 use super::mode::Seen;
 use super::state;
 use super::words::FULL;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
-use crate::outcome::{Column, Decimal, ErrorDoc, RunNews, Sample, SampleValue};
+use crate::drive::watch::Memory;
+use crate::outcome::{Column, Decimal, ErrorDoc, Record, RunNews, Sample, SampleValue};
 use crate::profile::{Family, Param, Type};
 use crate::tick::{Span, Tick};
 use std::rc::Rc;
@@ -30,7 +32,11 @@ pub(super) struct Shown {
     begun: Tick,
     told: Option<Tick>,
     samples: u64,
+    /// What was seen of it before a fault.
+    memory: Memory,
     news: RunNews,
+    /// What was said of it last.
+    said: RunNews,
 }
 
 impl Shown {
@@ -43,7 +49,17 @@ impl Shown {
     ) -> Self {
         let ids: &[u32] = if is_basic { &[SETPOINT, FREQUENCY] } else { &[ZSW, HSW, HIW] };
         let params = ids.iter().map(|&id| family.param_or_unknown(id)).collect();
-        Shown { family, params, maximum, begun, told: None, samples: 0, news }
+        Shown {
+            family,
+            params,
+            maximum,
+            begun,
+            told: None,
+            samples: 0,
+            memory: Memory::default(),
+            said: news.clone(),
+            news,
+        }
     }
 
     /// Its columns.
@@ -69,12 +85,17 @@ impl Shown {
 
     /// Where the run has come to, if that is news. `end` is that of its new part.
     pub(super) fn comes_to(&mut self, now: Tick, phase: &'static str, end: Option<Tick>) -> Option<RunNews> {
-        let (begun, is_over) = (self.begun, phase == "stopping");
+        let (begun, is_over) = (self.begun, matches!(phase, "stopping" | "ended"));
         self.changes(now, |news| {
             news.phase = phase;
             news.ends = end.map(|end| seconds(end.since(begun)));
             news.setpoint = news.setpoint.filter(|_| !is_over);
         })
+    }
+
+    /// The setpoint is led to this. It is told with the next sample: a way changes it in every cycle.
+    pub(super) fn is_set(&mut self, raw: i64) {
+        self.news.setpoint = Some(Decimal { raw, decimals: 2 });
     }
 
     /// By which way it is stopped, if that is news.
@@ -83,19 +104,28 @@ impl Shown {
     }
 
     fn changes(&mut self, now: Tick, change: impl FnOnce(&mut RunNews)) -> Option<RunNews> {
-        let before = self.news.clone();
         change(&mut self.news);
-        let t = seconds(now.since(self.begun));
-        (self.news != before).then(|| RunNews { t, ..self.news.clone() })
+        self.untold(now)
     }
 
-    /// What a cycle told, or that nobody was heard, unless something was told a moment ago. `setpoint` is what is sent.
-    pub(super) fn sample(&mut self, now: Tick, setpoint: i64, heard: Result<Seen, ErrorDoc>) -> Option<Sample> {
-        if self.told.is_some_and(|told| now.since(told) < EVERY) {
-            return None;
+    /// What was not told of it yet.
+    fn untold(&mut self, now: Tick) -> Option<RunNews> {
+        let t = seconds(now.since(self.begun));
+        let is_new = self.news != self.said;
+        self.said.clone_from(&self.news);
+        is_new.then(|| RunNews { t, ..self.news.clone() })
+    }
+
+    /// What a cycle told, or that nobody was heard, unless something was told a moment ago; a trip at once, with what was seen last before
+    /// it. `setpoint` is what is sent.
+    pub(super) fn sample(&mut self, now: Tick, setpoint: i64, heard: Result<Seen, ErrorDoc>) -> Vec<Record> {
+        let (seen, error) = heard.map_or_else(|error| (None, Some(error)), |seen| (Some(seen), None));
+        let state = seen.and_then(state::of);
+        let is_early = self.told.is_some_and(|told| now.since(told) < EVERY);
+        if is_early && !self.memory.is_new(state.as_ref()) {
+            return Vec::new();
         }
         let t = seconds(now.since(self.begun));
-        let (seen, error) = heard.map_or_else(|error| (None, Some(error)), |seen| (Some(seen), None));
         let sample = Sample {
             t,
             n: self.samples,
@@ -103,13 +133,17 @@ impl Shown {
             address: self.news.address,
             called: None,
             drive: self.family.drive.clone(),
-            state: seen.map(state::of),
+            state,
             values: seen.map_or_else(Vec::new, |seen| self.values(t, setpoint, seen)),
             error,
             line: None,
         };
         (self.told, self.samples) = (Some(now), self.samples + 1);
-        Some(sample)
+        // A bit of ZSW names no cause.
+        let cause = seen.filter(|seen| seen.state.is_some()).and_then(fault);
+        let trip = self.memory.take(&sample, &self.family, cause.as_ref());
+        let trip = trip.map(|trip| Record::Trip(Box::new(trip)));
+        self.untold(now).map(Record::Run).into_iter().chain(trip).chain([Record::Sample(sample)]).collect()
     }
 
     fn values(&self, t: Decimal, setpoint: i64, seen: Seen) -> Vec<SampleValue> {
@@ -125,7 +159,7 @@ impl Shown {
             let mut value = describe::value(self.news.address, &self.family, param, reading, &|_| None);
             match &mut value.word {
                 Some(word) => {
-                    word.state = Some(state::of(seen));
+                    word.state = state::of(seen);
                     word.bits.iter_mut().for_each(|bit| bit.help = None);
                 }
                 None => {

@@ -4,6 +4,7 @@ use super::mode::{Mode, Seen};
 use super::refusal::{locked, no};
 use crate::exchange::dp::{Place, Told, Trouble, Unanswered};
 use crate::failure::{Class, Failure};
+use crate::profile::Family;
 use crate::profile::value::format_decimal;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Hex;
@@ -90,6 +91,22 @@ pub(super) fn is_locked(address: u8) -> Failure {
         "Station {address} nennt keinen Parameter außer P.927, und der ist 0"
     );
     Failure::new(Class::Refused, LOCKED, message).with("address", address).hint(locked())
+}
+
+/// The code of an inverter of another series than the one that was named.
+pub const OTHER_SERIES: &str = "data.other_family";
+
+/// P.624 tells another series than the one that was named (5.3).
+pub(super) fn other_series(address: u8, named: &Family, found: &'static str) -> Failure {
+    let of = &named.drive;
+    let message = both!(
+        "station {address} is of the family '{found}' (P.624), not of the family '{of}' that was named; nothing was changed",
+        "Station {address} ist von der Familie '{found}' (P.624), nicht von der genannten Familie '{of}'; geändert wurde nichts"
+    );
+    Failure::new(Class::Data, OTHER_SERIES, message).with("address", address).of_family(found).hint(both!(
+        "if this inverter is meant: --drive {found}, or leave --drive out",
+        "ist dieser Umrichter gemeint: --drive {found}, oder --drive weglassen"
+    ))
 }
 
 /// What came of a request over PKW.

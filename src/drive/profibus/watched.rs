@@ -115,7 +115,7 @@ impl Exchange<'_, '_> {
             value.value = Some(Decimal { raw: raw * 10_000 / full, decimals: DECIMALS });
         }
         if let Some(word) = value.word.as_mut().filter(|_| item.param().id == ZSW) {
-            word.state = self.seen().map(state::of);
+            word.state = self.seen().and_then(state::of);
         }
         Ok((value, None))
     }
@@ -156,7 +156,7 @@ impl Source for Exchange<'_, '_> {
         let mut haul = watch::Haul::default();
         let Some(family) = station.target.as_ref().map(|target| target.family.clone()) else { return Ok(haul) };
         while !matches!(self.cycle().await?, Cycle::Inputs(_)) {}
-        haul.state = self.seen().map(state::of);
+        haul.state = self.seen().and_then(state::of);
         // A bit of ZSW names no cause.
         station.fault = self.seen().filter(|_| self.mode().is_basic()).and_then(fault);
         for item in &mut station.items {

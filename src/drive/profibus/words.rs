@@ -1,6 +1,8 @@
 //! What a shaft is to do, and which words of a cycle follow one another for it.
 
 use super::mode::{Mode, Words};
+use crate::text::Text;
+use crate::tick::Span;
 
 /// 100 % of a setpoint (4.1.2.3).
 pub(super) const FULL: i64 = 0x4000;
@@ -14,6 +16,54 @@ pub enum Wanted {
     Hertz(i64),
     /// 0.01 % of A004.
     Percent(i64),
+}
+
+impl Wanted {
+    /// The number of it.
+    pub fn value(self) -> i64 {
+        match self {
+            Wanted::Hertz(value) | Wanted::Percent(value) => value,
+        }
+    }
+
+    /// Another number of the same unit.
+    #[must_use]
+    pub fn at(self, value: i64) -> Self {
+        match self {
+            Wanted::Hertz(_) => Wanted::Hertz(value),
+            Wanted::Percent(_) => Wanted::Percent(value),
+        }
+    }
+
+    /// Its unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Wanted::Hertz(_) => "Hz",
+            Wanted::Percent(_) => "%",
+        }
+    }
+}
+
+/// Who leads a setpoint: where it is now, of the unit of the run, and what somebody is told. On its way so long after its beginning, or behind
+/// it.
+pub(super) type Next<'l> = dyn FnMut(Option<Span>) -> (i64, Option<Text>) + 'l;
+
+/// Where a setpoint goes.
+pub struct Lead<'l> {
+    /// At the start.
+    pub first: Wanted,
+    /// The furthest that it may ever be, on the side on which it always is.
+    pub furthest: i64,
+    /// So long it is on its way.
+    pub takes: Span,
+    /// Who leads it.
+    pub next: &'l mut Next<'l>,
+}
+
+impl std::fmt::Debug for Lead<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Lead").field("first", &self.first).field("furthest", &self.furthest).finish_non_exhaustive()
+    }
 }
 
 /// What words are for.

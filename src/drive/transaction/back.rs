@@ -121,9 +121,9 @@ async fn pause(session: &mut Session<'_>) -> Result<(), AccessError> {
     }
 }
 
-/// Whether no valid answer came.
+/// Whether no valid answer came, and one may come later.
 fn is_unheard(failure: &Failure) -> bool {
-    matches!(failure.class, Class::Silence | Class::Garbled)
+    matches!(failure.class, Class::Silence | Class::Garbled) && !failure.is_gone()
 }
 
 /// Brings these values back in this order, and looks at all of them once more at the end: only what that look has seen is said

@@ -1,7 +1,7 @@
 //! A port that cannot be used: what is wrong with it, and its code.
 
 use super::advice::advised;
-use crate::failure::{Class, Failure, STUCK};
+use crate::failure::{Class, Failure, GONE, STUCK};
 use crate::protocol::modbus::Hex;
 use crate::text::{Text, both};
 use crate::transport::{LinkError, list_ports};
@@ -10,7 +10,7 @@ use crate::transport::{LinkError, list_ports};
 pub(in crate::drive) fn link(error: &LinkError) -> Failure {
     let class = match error {
         LinkError::Recording { .. } => Class::Data,
-        LinkError::Unacknowledged { .. } => Class::Silence,
+        LinkError::Unacknowledged { .. } | LinkError::Gone { .. } => Class::Silence,
         _ => Class::Port,
     };
     let failure = match error {
@@ -69,6 +69,7 @@ fn code(error: &LinkError) -> &'static str {
         LinkError::Stuck(_) => STUCK,
         LinkError::Stranger { .. } => "port.stranger",
         LinkError::Lost(_) => "port.lost",
+        LinkError::Gone { .. } => GONE,
         #[cfg(target_os = "linux")]
         LinkError::Can { why, .. } => why.code(),
         LinkError::Unsent(_) => "port.can_unsent",
@@ -105,6 +106,7 @@ fn said(error: &LinkError) -> Text {
             "{error}",
             "der CAN-Adapter an '{port}' meldet Fehler (Statusbits {flags:02X}h): niemand am Bus bestätigt seine Frames"
         ),
+        LinkError::Gone { why, .. } => why.clone(),
         LinkError::Stuck(port) => {
             both!("{error}", "Anschluss '{port}' nimmt keine Bytes an: niemand holt sie dort ab")
         }

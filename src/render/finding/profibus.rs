@@ -57,16 +57,6 @@ impl Page {
         if rows.is_empty() { String::new() } else { format!("\n{}", self.table(&head, rows)) }
     }
 
-    /// The states of the norm, as what a slave does in them (IEC 61158-6-3).
-    fn state_of_slave(self, state: &str) -> &str {
-        match state {
-            "wait-prm" => self.lang.pick("waits for Set_Prm", "wartet auf Set_Prm"),
-            "wait-cfg" => self.lang.pick("waits for Chk_Cfg", "wartet auf Chk_Cfg"),
-            "data-exchange" => self.lang.pick("exchanges data", "tauscht Daten aus"),
-            other => other,
-        }
-    }
-
     fn live(self, live: &LiveList) -> String {
         let row = |station: &LiveStation| {
             let or_none = |told: Option<&str>| told.unwrap_or("-").to_owned();
@@ -75,7 +65,7 @@ impl Page {
                 self.say(&station.is),
                 or_none(station.ident.as_deref()),
                 station.master.map_or_else(|| "-".to_owned(), |master| master.to_string()),
-                or_none(station.state.map(|state| self.state_of_slave(state))),
+                or_none(station.does().map(|does| self.say(&does)).as_deref()),
                 or_none(station.layout.or(station.configuration.as_deref())),
                 station
                     .answered_us

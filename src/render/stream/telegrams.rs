@@ -47,7 +47,7 @@ impl<'a> Telegrams<'a> {
         let ident = station.ident.as_deref().map(|ident| format!("ident {ident}"));
         let master = station.master.map(|master| format!("master {master}"));
         let data = station.layout.or(station.configuration.as_deref()).map(str::to_owned);
-        let state = station.state.map(str::to_owned);
+        let state = station.does().map(|does| does.get(lang).to_owned());
         let error = station.error.as_ref().map(|error| error.message.get(lang).to_owned());
         let told: Vec<String> = [ident, state, master, data, error].into_iter().flatten().collect();
         let (is, told) = (clean(station.is.get(lang)), clean(&told.join("  ")));

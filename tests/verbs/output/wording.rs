@@ -242,8 +242,8 @@ fn no_english_and_no_bracketed_plural_is_left_in_german() {
 fn what_a_line_does_not_speak_has_another_verb() {
     for (line, hint) in [
         ("-p sim --protocol sdo sniff --duration 1s", "systembus monitor`"),
-        ("-p sim --protocol dp -a 3 sollwert 20Hz --enable --hold --step 1Hz --yes", "sollwert 25Hz --enable --hold`"),
-        ("-p sim --protocol dp -a 3 sollwert --ramp 0Hz:20Hz:4s --enable --hold --yes", "write F002=5s F003=5s`"),
+        ("-p sim --protocol dp -a 3 statemachine switch-on --yes", "statemachine enable --hold`"),
+        ("-p sim --protocol dp -a 3 statemachine enable --yes", "sollwert 20Hz --enable --hold`"),
     ] {
         let told = antrieb(line).exits(2).err;
         assert!(told.contains(hint), "{line}: {told}");

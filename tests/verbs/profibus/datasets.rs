@@ -1,6 +1,7 @@
 //! The settings of an inverter as a file, over PKW: saved, compared, loaded as a transaction, and taken back; the slave is kept going
 //! meanwhile, and let go however it ends.
 
+use super::rig::{event, module};
 use super::{is_let_go, later, line};
 use crate::run::{Document, Run, antrieb};
 use antrieb::simulator::Profibus;
@@ -133,5 +134,55 @@ fn a_port_that_is_lost_at_any_telegram_of_a_load_is_told_with_what_stands() {
             }
             other => panic!("{telegrams}: {other}: {}", run.err),
         }
+    }
+}
+
+/// A slave that falls silent behind any of our bytes, its port being there: what stands half written is torn and exit 9, and no row tells of an adapter.
+#[test]
+fn a_slave_that_falls_silent_in_a_load_is_told_as_silent() {
+    let (mut torn, mut quiet) = (0, 0);
+    for at in (200..7_000).step_by(170) {
+        let text = module("\"928\" = 1, \"703\" = 2", "", &event(&format!("{at}ms"), "cut = true"));
+        let run = of("--yes --json dataset load {dir}/w.toml", &text).file("w.toml", &file(WANTED)).run();
+        let bus = later();
+        assert!(is_let_go(&bus), "{at}");
+        let told = format!("{}{}", run.out, run.err);
+        assert!(!told.contains("unplugged") && !told.contains("port.lost"), "{at}: {told}");
+        match (run.exit, stands(&bus) == BEFORE) {
+            // Loaded, and silent before it was let go, or after that.
+            (0 | 4, false) => assert_eq!(stands(&bus), AFTER, "{at}: {told}"),
+            (4, true) => {
+                quiet += 1;
+                assert!(told.contains("silence."), "{at}: {told}");
+            }
+            (9, _) => {
+                torn += 1;
+                assert!(told.contains("partial.torn") && told.contains("silence."), "{at}: {told}");
+                assert!(told.contains("station 3 ") || told.contains("was not asked"), "{at}: {told}");
+            }
+            other => panic!("{at}: {other:?}: {told}"),
+        }
+    }
+    assert!(torn > 3 && quiet > 3, "{torn} torn, {quiet} before anything was written");
+}
+
+#[test]
+fn a_slave_that_falls_silent_in_a_check_is_told_as_silent() {
+    let undo =
+        of("--yes dataset load {dir}/w.toml", &line("", "")).file("w.toml", &file(WANTED)).run().text_of("w.undo.toml");
+    for (at, typed, text) in [
+        ("1s", "check {dir}/w.toml", &file(WANTED)),
+        ("1s", "save {dir}/s.toml", &file(WANTED)),
+        ("1500ms", "undo {dir}/w.toml", &undo),
+    ] {
+        let bench = module("\"928\" = 1, \"703\" = 1, \"7\" = -500, \"916.2\" = 34", "", &event(at, "cut = true"));
+        let run = of(&format!("--yes dataset {typed}"), &bench).file("w.toml", text).run();
+        assert!([4, 9].contains(&run.exit), "{typed}: {}: {}", run.exit, run.err);
+        let told = format!("{}{}", run.out, run.err);
+        assert!(
+            told.contains("station 3 ") && !told.contains("unplugged") && !told.contains("lost:"),
+            "{typed}: {told}"
+        );
+        assert!(is_let_go(&later()), "{typed}");
     }
 }

@@ -1,6 +1,6 @@
 //! The keypad of a run over PROFIBUS: a key stops it, a dead man starts it and stops it.
 
-use super::rig::{Came, Hand, RESTS, does, module};
+use super::rig::{Came, Hand, RESTS, Said, does, event, module};
 use crate::pictures::are_documented;
 use antrieb::drive::Button;
 use antrieb::outcome::{Event, Record};
@@ -13,12 +13,73 @@ fn held(options: &str, buttons: &[(usize, Button)]) -> Came {
 
 #[test]
 fn a_key_stops_a_run_that_is_held() {
-    for button in [Button::Stop, Button::End] {
-        let came = held("--view", &[(300, button)]);
+    for buttons in [&[(300, Button::Stop), (900, Button::End)][..], &[(300, Button::End)]] {
+        let came = held("--view", buttons);
         assert_eq!(came.code(), ("", 0), "{:?}", came.failure());
         assert_eq!((came.stop().because, came.stop().standing), ("key", Some(true)));
         assert!(came.is_given_back() && came.sent.len() > 300);
         came.holds("a key");
+    }
+}
+
+/// As on every other line: the key that stops leaves the view, which shows the drive under the stop word until somebody leaves.
+#[test]
+fn the_view_stays_behind_a_stop_until_somebody_leaves() {
+    let by_key = held("--view", &[(300, Button::Stop), (1_000, Button::End)]);
+    let by_signal = does(
+        &format!("{RUN} --view"),
+        &module(RESTS, "", ""),
+        Hand { buttons: &[(300, Button::Stop)], presses: &[1_000], ..Hand::default() },
+    );
+    for came in [by_key, by_signal] {
+        assert_eq!((came.code(), came.stop().because), (("", 0), "key"), "{:?}", came.failure());
+        assert!(came.sent.len() > 1_000 && came.is_given_back(), "{}", came.sent.len());
+        let over = came.story.iter().position(|event| {
+            matches!(event, Event::Record(record) if matches!(&**record, Record::Run(news) if news.phase == "ended"))
+        });
+        let behind = &came.story[over.unwrap()..];
+        let is_shown = |event: &&Event| matches!(event, Event::Record(record) if matches!(**record, Record::Sample(_)));
+        assert!(behind.iter().filter(is_shown).count() > 20, "the motor is shown on");
+        assert!(matches!(&behind[1], Event::Note(told) if told.en.contains("the shaft stands")), "{:?}", behind[1]);
+        assert!(came.moments()[400..1_000].iter().all(|moment| !matches!(moment.said, Said::Words(0, _))));
+        came.holds("the view stayed");
+    }
+    // `q` stops and ends at once.
+    assert!(held("--view", &[(300, Button::End)]).sent.len() < 700);
+}
+
+/// Whoever looks away while the view stays and whose slave is lost meanwhile is told so.
+#[test]
+fn a_slave_that_is_lost_while_the_view_stays_ends_it() {
+    let cut = module(RESTS, "", &event("30s", "cut = true"));
+    let came = does(&format!("{RUN} --view"), &cut, Hand { buttons: &[(300, Button::Stop)], ..Hand::default() });
+    assert_eq!(came.code().1, 4, "{:?}", came.failure());
+    came.holds("lost behind its stop");
+}
+
+/// A trip is a record at once, with its cause where one is told, and with what was seen last before it.
+#[test]
+fn a_trip_in_a_held_run_is_a_record() {
+    for mode in ["", "--mode basic"] {
+        let run = if mode.is_empty() { RUN.to_owned() } else { RUN.replace(" --take-control", "") };
+        let tripped = module(RESTS, "", &event("9s", "trip = true"));
+        let came = does(&format!("{run} {mode}"), &tripped, Hand::default());
+        assert_eq!(came.code().0, "forbidden.tripped", "{mode}: {:?}", came.failure());
+        let trips: Vec<usize> = (0..came.story.len())
+            .filter(|at| matches!(&came.story[*at], Event::Record(record) if matches!(**record, Record::Trip(_))))
+            .collect();
+        let [at] = trips[..] else { panic!("{mode}: {} trips", trips.len()) };
+        let Event::Record(record) = &came.story[at] else { panic!() };
+        let Record::Trip(trip) = &**record else { panic!() };
+        assert_eq!(trip.fault.as_ref().map(|fault| &*fault.key), (!mode.is_empty()).then_some("25h"), "{mode}");
+        assert!(trip.before.state.as_ref().is_some_and(|state| state.slug != "fault"), "{mode}");
+        let seen = trip.before.values.iter().find(|row| [701, 614].contains(&row.value.param)).unwrap();
+        assert!((995..=1_000).contains(&seen.value.value.unwrap().raw), "{mode}: 10 Hz");
+        let Event::Record(next) = &came.story[at + 1] else { panic!("{mode}") };
+        let is_it = matches!(&**next, Record::Sample(sample) if sample.t == trip.t
+            && sample.state.as_ref().is_some_and(|state| state.slug == "fault"));
+        assert!(is_it, "{mode}: the sample that shows it");
+        came.holds(mode);
     }
 }
 
@@ -46,7 +107,7 @@ fn who_interrupts_is_no_key_and_without_keys_nothing_is_sent() {
 /// One watches the motor come down: the stop is told at its first telegram, and what the slave tells goes on until it stands.
 #[test]
 fn a_stop_is_shown_until_the_motor_stands() {
-    let by_key = || held("--view", &[(300, Button::Stop)]);
+    let by_key = || held("--view", &[(300, Button::Stop), (900, Button::End)]);
     let by_signal =
         || does(&format!("{RUN} --view"), &module(RESTS, "", ""), Hand { presses: &[300], ..Hand::default() });
     for came in [by_key(), by_signal()] {
@@ -70,8 +131,11 @@ fn a_stop_is_shown_until_the_motor_stands() {
                             .find(|value| column.holds(&value.value))
                             .and_then(|value| value.value.value)
                     };
-                    assert!(sample.state.is_some() && (phase == "starting" || value("actual-frequency").is_some()));
-                    if phase == "stopping" {
+                    // A slave that has outputs of zero reads 0, which is no state.
+                    let is_over = value("actual-frequency").is_some_and(|value| value.raw == 0);
+                    assert!(sample.state.is_some() || is_over, "{phase}");
+                    assert!(phase == "starting" || value("actual-frequency").is_some());
+                    if matches!(phase, "stopping" | "ended") {
                         down.push((value("actual-frequency").unwrap().raw, value("setpoint-bus").unwrap().raw));
                     }
                 }
@@ -87,6 +151,6 @@ fn a_stop_is_shown_until_the_motor_stands() {
 /// `docs/screens/run-profibus.*.txt`.
 #[test]
 fn pictures_of_a_run_over_profibus_are_those_of_the_bench() {
-    let came = held("--view", &[(400, Button::Stop)]);
+    let came = held("--view", &[(400, Button::Stop), (1_000, Button::End)]);
     are_documented("run-profibus", &came.story, &[("held", 12, false), ("stopping", 1, false)]);
 }

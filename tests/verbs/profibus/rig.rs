@@ -114,11 +114,16 @@ fn arguments<A: Args>(line: &str) -> A {
     A::from_arg_matches(&matches).unwrap()
 }
 
+/// `{dir}/way.csv`, for `--profile`.
+const WAY: &str = "0s, 5Hz\n1s, 15Hz\n2500ms, 8Hz\n";
+
 /// Does it on a line of its own: `sollwert …` or `statemachine …`.
 pub(super) fn does(line: &str, bench: &str, hand: Hand<'_>) -> Came {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("line.toml");
     std::fs::write(&file, bench).unwrap();
+    std::fs::write(directory.path().join("way.csv"), WAY).unwrap();
+    let line = &line.replace("{dir}", &directory.path().display().to_string());
     let port = format!("sim:{}", file.display()).parse().unwrap();
     let flags = Globals { port: vec![port], verbose: 1, protocol: Some("dp".to_owned()), ..Globals::default() };
     let mut settings = Settings::resolve(&flags, &antrieb::args::Environment::default()).unwrap();
@@ -157,6 +162,7 @@ pub(super) fn does(line: &str, bench: &str, hand: Hand<'_>) -> Came {
     let (verb, rest) = line.split_once(' ').unwrap();
     let outcome = runtime.block_on(async {
         match verb {
+            "sollwert" if rest.starts_with("--") => sollwert::run(&arguments(rest), &mut context).await,
             // The program itself knows a setpoint below zero from an option.
             "sollwert" => {
                 let (value, options) = rest.split_once(' ').unwrap_or((rest, ""));

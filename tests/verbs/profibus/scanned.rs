@@ -13,6 +13,8 @@ fn a_scan_is_the_live_list_as_drives() {
     assert_eq!([told(0, "address"), told(1, "address")], [3, 5]);
     assert_eq!((told(0, "drive"), told(0, "product")), ("unknown".into(), "0BE7".into()));
     assert_eq!(drives[0]["state"]["slug"], "wait-prm");
+    // The same words as `profibus live` has for it.
+    assert_eq!(drives[0]["state"]["name"], "waits for Set_Prm");
     assert_eq!([run.data("/asked"), run.data("/addresses")], [126, 126]);
     assert_eq!(run.data("/complete"), true);
     let bus = later();
@@ -80,7 +82,11 @@ fn a_station_that_goes_and_comes_is_told() {
     assert_eq!(news[0]["station"]["ident"], "0BE7");
     assert_eq!(records.last().unwrap()["type"], "end");
     let run = antrieb("-a 3 profibus live --follow --duration 1s").on(&module("", "", "")).exits(0);
-    assert!(run.out.contains("came") && run.out.contains("0BE7") && run.out.contains("wait-prm"), "{}", run.out);
+    assert!(
+        run.out.contains("came") && run.out.contains("0BE7") && run.out.contains("waits for Set_Prm"),
+        "{}",
+        run.out
+    );
     let run = antrieb("-a 3 profibus live --follow --duration 1s").on(&module("", "", "")).json().exits(0);
     assert_eq!(run.data("/stations/0/address"), 3);
 }

@@ -159,3 +159,28 @@ fn the_second_set_is_named_and_measured() {
         came.holds(set);
     }
 }
+
+/// Whoever names one series and finds another (P.624) reads nothing of it by the names of the first; a stop goes out all the same.
+#[test]
+fn another_series_than_the_one_that_was_named_is_refused() {
+    let x200 = module("", "", "").replace("l200", "x200");
+    let of = |drive: &str, typed: &str| antrieb(&format!("-a 3 --protocol dp {drive} --yes {typed}")).on(&x200).json();
+    for typed in [
+        "read F002",
+        "identify",
+        "write F002=5s",
+        "diag",
+        "statemachine",
+        "sollwert 10Hz --jog 1s",
+        "monitor --count 1",
+    ] {
+        let run = of("--drive l200", typed).exits(7);
+        assert_eq!(run.error()["code"], "data.other_family", "{typed}");
+        assert!(run.error()["message"].as_str().unwrap().contains("'x200' (P.624)"), "{typed}: {}", run.error());
+        assert!(is_let_go(&later()), "{typed}");
+    }
+    for drive in ["--drive x200", ""] {
+        assert_eq!(of(drive, "read F002").exits(0).data("/values/0/drive"), "x200", "{drive}");
+    }
+    assert_eq!(of("--drive l200", "statemachine disable").exits(0).data("/stop/acknowledged"), true);
+}

@@ -358,6 +358,14 @@ pub(in crate::drive::profibus) fn no_maximum(address: u8) -> Failure {
     Failure::new(Class::Usage, "usage.setpoint", message).with("address", address)
 }
 
+/// What is known of a shaft whose output went dark before it stood.
+pub fn off() -> Text {
+    both!(
+        "the output is off, and whether the shaft stands nothing tells",
+        "der Ausgang ist aus; ob die Welle steht, sagt nichts"
+    )
+}
+
 /// The output is off, and nothing shows that the shaft stands.
 pub fn coasting(address: u8) -> Failure {
     let message = both!(

@@ -2,44 +2,29 @@
 
 use crate::args::KeypadArgs;
 use crate::failure::{Class, Failure};
-use crate::profile::setpoint::{self, Schedule};
-use crate::profile::value::ValueError;
-use crate::profile::{Family, Mode};
+use crate::outcome::{Decimal, RunKeys};
+use crate::profile::setpoint::Schedule;
+use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
 
 /// Steps and bounds, raw like the setpoint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Keys {
-    pub(super) step: i64,
-    pub(super) min: i64,
-    pub(super) max: i64,
+pub(in crate::command) struct Keys {
+    pub(in crate::command) step: i64,
+    pub(in crate::command) min: i64,
+    pub(in crate::command) max: i64,
 }
 
 impl Keys {
-    /// What was typed, in the words of the mode; `None` where the arrows do nothing. `is_shown`: there is a view that reads keys.
-    pub(super) fn of(
+    /// What was typed; `None` where the arrows do nothing. `raw` understands the value of an option as a setpoint, and `is_shown` says that
+    /// there is a view that reads keys.
+    pub(in crate::command) fn of(
         args: &KeypadArgs,
-        (mode, family): (&Mode, &Family),
+        raw: impl Fn(&str, &str) -> Result<i64, Failure>,
         schedule: &Schedule,
-        (by_speed, is_shown): (bool, bool),
+        is_shown: bool,
     ) -> Result<Option<Self>, Failure> {
         let Some(step) = &args.step else { return Ok(None) };
-        if !mode.zero || !mode.starts.is_empty() || mode.codes.is_some() || mode.denominator.is_some() {
-            return Err(bad(both!(
-                "--step is for a setpoint that the shaft follows, not for '{mode}'",
-                "--step gilt für einen Sollwert, dem die Welle folgt, nicht für '{mode}'",
-                mode = mode.text()
-            )));
-        }
-        let raw = |flag: &str, text: &str| {
-            let said = setpoint::parse(family, mode, text).map_err(|error| wrong(flag, &error))?;
-            (said.by_speed == by_speed).then_some(said.raw).ok_or_else(|| {
-                bad(both!(
-                    "{flag} {text}: expected the unit of the setpoint",
-                    "{flag} {text}: erwartet wird die Einheit des Sollwerts"
-                ))
-            })
-        };
         let lowest = schedule.values().min().unwrap_or(0);
         let highest = schedule.values().max().unwrap_or(0);
         let keys = Keys {
@@ -67,14 +52,38 @@ impl Keys {
     }
 
     /// The same with every value converted.
-    pub(super) fn map(self, convert: impl Fn(i64) -> Option<i64>) -> Option<Self> {
+    pub(in crate::command) fn map(self, convert: impl Fn(i64) -> Option<i64>) -> Option<Self> {
         let Keys { step, min, max } = self;
         // What rounds to nothing would be a key without effect.
         Some(Keys { step: convert(step)?.max(1), min: convert(min)?, max: convert(max)? })
     }
 
+    /// What the arrows do, as it is shown.
+    pub(in crate::command) fn shown(self, decimals: u8, unit: &str) -> RunKeys {
+        let value = |raw: i64| Decimal { raw, decimals };
+        RunKeys { step: value(self.step), min: value(self.min), max: value(self.max), unit: unit.to_owned() }
+    }
+
+    /// What is agreed to that the arrows may do.
+    pub(in crate::command) fn told(self, shown: impl Fn(i64) -> Text) -> Text {
+        let [step, min, max] = [self.step, self.min, self.max].map(shown);
+        both!(
+            "the arrows change the setpoint by {step}, from {min} to {max}",
+            "die Pfeile ändern den Sollwert um {step}, von {min} bis {max}",
+            step,
+            min,
+            max
+        )
+    }
+
+    /// What a key is told that would have left the bounds.
+    pub(in crate::command) fn refused(self, decimals: u8, unit: &str) -> Text {
+        let [min, max] = [self.min, self.max].map(|raw| format_decimal(raw, decimals));
+        both!("agreed are {min} to {max} {unit}, no further", "vereinbart sind {min} bis {max} {unit}, weiter nicht")
+    }
+
     /// The setpoint behind steps in their order; and whether one of them would have left the bounds, and was not taken.
-    pub(super) fn after(self, from: i64, steps: &[i8]) -> (i64, bool) {
+    pub(in crate::command) fn after(self, from: i64, steps: &[i8]) -> (i64, bool) {
         let mut refused = false;
         let step = |now: i64, step: &i8| {
             let next = self.step.checked_mul(i64::from(*step)).and_then(|by| now.checked_add(by));
@@ -90,12 +99,17 @@ impl Keys {
     }
 }
 
-fn bad(message: Text) -> Failure {
+/// Options of the keypad that make no sense.
+pub(in crate::command) fn bad(message: Text) -> Failure {
     Failure::new(Class::Usage, "usage.keys", message)
 }
 
-fn wrong(flag: &str, error: &ValueError) -> Failure {
-    bad(both!("{flag}: {why}", "{flag}: {why}", why = error.text()))
+/// An option whose unit is not that of the setpoint.
+pub(in crate::command) fn other_unit(flag: &str, text: &str) -> Failure {
+    bad(both!(
+        "{flag} {text}: expected the unit of the setpoint",
+        "{flag} {text}: erwartet wird die Einheit des Sollwerts"
+    ))
 }
 
 #[cfg(test)]
