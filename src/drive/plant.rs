@@ -7,7 +7,7 @@
 
 use super::job::Step;
 use super::paramfile::head;
-use super::transaction::{self, Applied, Plan, UndoPlace};
+use super::transaction::{self, Applied, Plan, UndoFile, UndoPlace};
 use super::{Interrupt, Recognised, Session, Terms, Upper, is_over};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
@@ -16,7 +16,6 @@ use crate::profile::Family;
 use crate::profile::paramfile::{At, Head};
 use crate::text::{Lang, Text, both};
 use std::cell::Cell;
-use std::path::PathBuf;
 use std::rc::Rc;
 
 /// A drive of a plant: who it shall be, what it shall have, and what became of that.
@@ -65,8 +64,8 @@ pub struct Found {
 pub struct Done {
     /// How it ended.
     pub applied: Applied,
-    /// Where its undo file stands, unless nothing was written.
-    pub undo_file: Option<PathBuf>,
+    /// Its undo file, unless nothing was written.
+    pub undo_file: Option<UndoFile>,
     /// It was taken back, because another drive failed: a failure for each value that did not come back.
     pub taken_back: Option<Vec<Failure>>,
 }
@@ -154,8 +153,9 @@ impl Line<'_> {
         for member in self.members.iter_mut().rev() {
             if let (Some(found), Some(done)) = (&mut member.found, &mut member.applied)
                 && matches!(done.applied.ended, LoadEnd::Done | LoadEnd::Stored)
+                && let Some(left) = &done.undo_file
             {
-                done.taken_back = Some(transaction::take_back(session, &mut found.plan, permit).await);
+                done.taken_back = Some(transaction::take_back(session, &mut found.plan, permit, left).await);
             }
         }
     }

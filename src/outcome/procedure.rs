@@ -266,15 +266,20 @@ impl Left {
         let Left { name, now, old, .. } = self;
         let back = way_back(name, *old);
         both!(
-            "{name} was left alone at {now}: a run that was broken off had changed it, and somebody else since; before that it was {old} \
-             ({back})",
-            "{name} blieb bei {now}: ein abgebrochener Lauf hatte es geändert, und seitdem jemand anderes; davor war es {old} ({back})"
+            "{name} was left alone at {now} (raw): a run that was broken off had changed it, and somebody else since; before that it was \
+             {old} (raw; {back})",
+            "{name} blieb bei {now} (roh): ein abgebrochener Lauf hatte es geändert, und seitdem jemand anderes; davor war es {old} (roh; \
+             {back})"
         )
     }
 }
 
+/// The command that sets a raw value: in hexadecimal it is taken without its decimal point, if it is not below zero.
 fn way_back(name: &str, old: i64) -> String {
-    format!("`antrieb write {}={old}`", name.trim_start_matches("P."))
+    if old < 0 {
+        return format!("{name} = {old}");
+    }
+    format!("`antrieb write {}=0x{old:X}`", name.trim_start_matches("P."))
 }
 
 impl ProcedureRecord {

@@ -1,7 +1,7 @@
 //! Parameter files: what is written is read, old files stay readable, and what is broken is refused with its place.
 
 use antrieb::profile::paramfile::{
-    Head, NotHeld, ParamFile, Provenance, SavedDrive, Scope, Settings, print, print_undo, schema,
+    Head, NotHeld, ParamFile, Provenance, SavedDrive, Scope, Settings, UndoSettings, print, print_undo, schema,
 };
 use antrieb::profile::{Family, Registry, Type};
 use std::rc::Rc;
@@ -67,7 +67,17 @@ fn a_file_of_version_2_stays_readable() {
     let in_ram = file.in_ram_alone(&act).unwrap();
     assert_eq!(rows(&in_ram), [(480, 2, 700)]);
     let store = file.undo.as_ref().unwrap().store;
-    let printed = print_undo(&file.head, &file.settings(&act).unwrap(), (&coming, store), &in_ram, &act);
+    let printed = print_undo(
+        &file.head,
+        &UndoSettings {
+            old: file.settings(&act).unwrap(),
+            new: coming,
+            store,
+            ram: in_ram.clone(),
+            unproven: file.unproven(&act).unwrap(),
+        },
+        &act,
+    );
     let below = |text: &str| text[text.find("[values]").unwrap()..].to_owned();
     assert_eq!(below(&printed), below(VERSION_2));
     assert!(file.in_ram_alone(&act).unwrap() == in_ram && printed.contains("\nantrieb = 2\n"));

@@ -107,7 +107,8 @@ async fn load_into(
     let left = place.leave(&head, &plan).map_err(unbegun)?;
     let done = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
     let path = left.path().to_owned();
-    report.undo_file = left.unless(done.ended == LoadEnd::Untouched).map(|path| path.display().to_string());
+    let left = left.unless(done.ended == LoadEnd::Untouched);
+    report.undo_file = left.map(|left| left.path().display().to_string());
     Ok(applied(report, plan, done, &path).into())
 }
 

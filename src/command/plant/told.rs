@@ -82,6 +82,7 @@ fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
         };
         return (state, loaded::whole(load, plan, Vec::new(), left));
     };
+    let undo_file = undo_file.map(|left| left.path().to_owned());
     load.undo_file = undo_file.as_ref().map(|file| file.display().to_string());
     let state = match applied.ended {
         LoadEnd::Done => PlantState::Done,

@@ -46,7 +46,11 @@ impl Guide<'_> {
         let told: Vec<Text> = found.left.iter().map(|left| left_so(left, &family)).collect();
         self.record.left = known.into_iter().chain(found.left).collect();
         record::save(&self.path, &self.record)?;
-        if told.is_empty() { Ok(()) } else { Err(left_alone(&Text::join(&told, ", "), &self.record.left)) }
+        if told.is_empty() {
+            Ok(())
+        } else {
+            Err(left_alone(&Text::join(&told, ", "), &self.record.left, &target.family))
+        }
     }
 
     /// Reads what was lent where it was set.
@@ -134,7 +138,7 @@ fn left_so(left: &Left, family: &Family) -> Text {
     both!("{name} = {now} (was {old})", "{name} = {now} (war {old})")
 }
 
-fn left_alone(told: &Text, left: &[Left]) -> Failure {
+fn left_alone(told: &Text, left: &[Left], family: &Family) -> Failure {
     let message = both!(
         "left alone: {told}; a run that was broken off had changed it, but what stands there now is not what it had set: somebody else has \
          set it since, the drive has restarted, or it is another one",
@@ -142,7 +146,8 @@ fn left_alone(told: &Text, left: &[Left]) -> Failure {
          anderes hat es seitdem gestellt, der Antrieb ist neu gestartet, oder es ist ein anderer",
         told
     );
-    let back = left.iter().map(|left| format!("{}={}", left.name.trim_start_matches("P."), left.old));
+    let before = |left: &Left| written(&family.param_or_unknown(left.param), left.old);
+    let back = left.iter().map(|left| format!("{}={}", left.name.trim_start_matches("P."), before(left)));
     let back = back.collect::<Vec<_>>().join(" ");
     Failure::new(Class::Partial, "partial.not_given_back", message).hint(both!(
         "see that it is the right drive and what its values are to be; `antrieb write {back}` sets what stood before",

@@ -28,7 +28,7 @@ pub async fn apply(
     plan: &mut Plan,
     terms: &Terms<'_>,
     permit: &Permit<Writing>,
-    _left: &UndoFile,
+    left: &UndoFile,
 ) -> Applied {
     // At the question somebody may have changed something.
     let went = match still_stands(session, plan).await {
@@ -43,7 +43,7 @@ pub async fn apply(
     if !plan.job.rows.iter().any(is_touched) {
         return Applied { ended: LoadEnd::Untouched, failures, notes: Vec::new() };
     }
-    failures.extend(put_back(session, plan, permit, &failures[..]).await);
+    failures.extend(put_back(session, plan, permit, &failures[..], left).await);
     let was_written = plan.job.rows.iter().any(|row| row.result == WriteResult::Restored);
     let ended = match (failures.len(), was_written) {
         (1, true) => LoadEnd::Back,

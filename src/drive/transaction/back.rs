@@ -3,11 +3,12 @@
 //! At once, when a transaction fails ([`put_back`]), or later, from its undo file ([`undo`]).
 
 use super::ended::{Applied, untouched};
-use super::meanwhile::{THEIRS, is_ours, still_may};
+use super::meanwhile::{THEIRS, covers, is_ours, still_may};
 use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::progress::{Doing, progress};
 use super::proof::{in_force, look};
 use super::running::RUNNING;
+use super::undo_file::UndoFile;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{stands, stands_at};
 use crate::drive::{AccessError, Order, Session, WriteFate, is_over};
@@ -38,6 +39,7 @@ pub(super) async fn put_back(
     plan: &mut Plan,
     permit: &Permit<Writing>,
     why: &[Failure],
+    left: &UndoFile,
 ) -> Vec<Failure> {
     // Whoever interrupted wants this; who does it again ends it.
     session.note_interrupts();
@@ -48,7 +50,7 @@ pub(super) async fn put_back(
     let order = back_order(plan);
     match nobody {
         true => order.iter().filter_map(|kept| told(plan, kept, Err(unseen(kept)))).collect(),
-        false => restore_all(session, plan, &order, permit, way).await.failures,
+        false => restore_all(session, plan, &order, permit, way).await.kept_in(left),
     }
 }
 
@@ -57,6 +59,8 @@ pub(super) async fn put_back(
 struct Way {
     /// A failure for each value that did not come back.
     failures: Vec<Failure>,
+    /// What the drive did not take back into its EEPROM.
+    unproven: Vec<Kept>,
     /// Something was written.
     is_begun: bool,
     /// Why the session is over.
@@ -73,6 +77,12 @@ impl Way {
     /// Whether asking for more is in vain.
     fn is_lost(&self) -> bool {
         self.over.is_some() || self.is_gone
+    }
+
+    /// The failures, once the undo file says what the drive did not take back.
+    fn kept_in(self, left: &UndoFile) -> Vec<Failure> {
+        let kept = left.keep_unproven(&self.unproven);
+        self.failures.into_iter().chain(kept.err()).collect()
     }
 
     fn note(&mut self, failure: Option<&Failure>) {
@@ -160,7 +170,11 @@ async fn restore_all(
             Ok(Came::Unseen) => {}
             Ok(Came::Stood | Came::Back) => back.push(kept.clone()),
             Err(failure) if failure.code == THEIRS => {}
-            Err(_) => torn.push(kept),
+            Err(failure) => {
+                let is_refused = failure.class == Class::Refused || failure.code == NOT_PUT_BACK;
+                way.unproven.extend((is_refused && !in_ram).then(|| kept.clone()));
+                torn.push(kept);
+            }
         }
         way.failures.extend(told(plan, kept, result));
     }
@@ -293,13 +307,20 @@ async fn restore(
 }
 
 impl Plan {
-    /// Whether a drive that may tell its RAM as stored has taken another value than it tells: it acknowledged one.
+    /// Whether a drive that may tell its RAM as stored has taken another value than it tells: it acknowledged one, or did not take
+    /// the old one back.
     fn may_hide(&self, kept: &Kept) -> bool {
         let is_its = |(step, row): (&Step, &Written)| {
             row.result == WriteResult::Differs && (step.param.id, step.set) == (kept.param.id, kept.set)
         };
+        // What is going to be written although the drive tells it already.
+        let is_doubted = |(step, row): (&Step, &Written)| {
+            let is_its = step.param.id == kept.param.id && covers(step.set, kept.set);
+            is_its && row.result == WriteResult::Planned && row.old_raw == Some(step.raw)
+        };
         let is_shown = self.in_force.iter().any(|ram| ram.param.id == kept.param.id);
-        is_shown && !self.tells_apart && self.job.steps.iter().zip(&self.job.rows).any(is_its)
+        let rows = || self.job.steps.iter().zip(&self.job.rows);
+        !self.tells_apart && (is_shown && rows().any(is_its) || rows().any(is_doubted))
     }
 }
 
@@ -332,9 +353,12 @@ async fn bring(
     }
 }
 
+/// The code of a value that the drive did not take back.
+const NOT_PUT_BACK: &str = "partial.not_put_back";
+
 fn left(kept: &Kept) -> Failure {
     let message = both!("{label} was not put back", "{label} wurde nicht zurückgenommen", label = kept.param.label());
-    Failure::new(Class::Partial, "partial.not_put_back", message).with("param", kept.param.id)
+    Failure::new(Class::Partial, NOT_PUT_BACK, message).with("param", kept.param.id)
 }
 
 /// The code of a value that is stored as before, and perhaps not in force.
@@ -455,7 +479,12 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
 
 /// Takes back at once what a transaction of this run has done, proven: a failure for each value that did not come back. What
 /// fails does not stop the others.
-pub async fn take_back(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Vec<Failure> {
+pub async fn take_back(
+    session: &mut Session<'_>,
+    plan: &mut Plan,
+    permit: &Permit<Writing>,
+    left: &UndoFile,
+) -> Vec<Failure> {
     let order = back_order(plan);
-    restore_all(session, plan, &order, permit, Way::default()).await.failures
+    restore_all(session, plan, &order, permit, Way::default()).await.kept_in(left)
 }

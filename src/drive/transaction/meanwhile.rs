@@ -167,7 +167,7 @@ impl Plan {
 }
 
 /// Whether two data sets as on the wire have a cell in common.
-fn covers(one: u8, other: u8) -> bool {
+pub(super) fn covers(one: u8, other: u8) -> bool {
     let is_ram = |set: u8| set >= DataSets::RAM_OFFSET;
     is_ram(one) == is_ram(other) && (one == other || one.is_multiple_of(5) || other.is_multiple_of(5))
 }

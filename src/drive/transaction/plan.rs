@@ -352,7 +352,7 @@ impl Plan {
         };
         // A value that changes others may take with it what nobody writes: that goes back too.
         let moved = if self.alters().is_empty() { 0 } else { equal(false) };
-        let moved_on = if matches!(purpose, Purpose::Back(_)) { moved } else { 0 };
+        let moved_on = if matches!(purpose, Purpose::Back { .. }) { moved } else { 0 };
         self.eeprom_writes = written + watched + equal(true) + moved_on;
         self.eeprom_writes_back = written + 2 * watched + moved;
     }

@@ -2,7 +2,7 @@
 //! the drive, and what was to come.
 
 use super::plan::{Kept, Plan, prepare};
-use super::weigh::Purpose;
+use super::weigh::{Purpose, not_taken_back};
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
 use crate::drive::stands::{has_ram, in_ram};
@@ -10,16 +10,20 @@ use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{WriteResult, Written};
-use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, print_undo, value_text};
-use crate::profile::{DataSets, Family, Store};
+use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text};
+use crate::profile::{DataSets, Family, Store, Type};
 use crate::text::{Text, both};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// A file that says how to take a transaction back; it has been written, and is on the disk.
 #[derive(Debug)]
 pub struct UndoFile {
     path: PathBuf,
+    head: Head,
+    settings: UndoSettings,
+    family: Rc<Family>,
 }
 
 /// Where an undo file goes.
@@ -40,10 +44,24 @@ impl UndoFile {
         &self.path
     }
 
-    /// Where it stands, unless nothing was written: then it is of no use, and is taken away.
-    pub fn unless(self, is_untouched: bool) -> Option<PathBuf> {
+    /// Says in it which values the drive did not take back: it may tell its RAM as stored, so that a later look would not find them.
+    ///
+    /// # Errors
+    /// The disk does not take it; the file stands as before.
+    pub(super) fn keep_unproven(&self, torn: &[Kept]) -> Result<(), Failure> {
+        if torn.is_empty() {
+            return Ok(());
+        }
+        let mut settings = self.settings.clone();
+        settings.unproven = torn.iter().map(Kept::setting).collect();
+        let text = print_undo(&self.head, &settings, &self.family);
+        files::write_whole(&self.path, &text, true).map_err(|error| unwritten(&self.path, &error))
+    }
+
+    /// Itself, unless nothing was written: then it is of no use, and is taken away.
+    pub fn unless(self, is_untouched: bool) -> Option<Self> {
         let is_gone = is_untouched && files::remove(&self.path).is_ok();
-        (!is_gone).then_some(self.path)
+        (!is_gone).then_some(self)
     }
 }
 
@@ -74,9 +92,11 @@ impl UndoPlace {
     /// # Errors
     /// The name is taken, or the disk does not take it: then nothing may be written to the drive.
     pub fn leave(&self, head: &Head, plan: &Plan) -> Result<UndoFile, Failure> {
-        let text = text(head, plan);
+        let (head, settings) = (plan.head(head), plan.undo_settings());
+        let family = plan.job.target.family.clone();
+        let text = print_undo(&head, &settings, &family);
         let path = self.first_free(|path| files::write_whole(path, &text, false))?;
-        Ok(UndoFile { path })
+        Ok(UndoFile { path, head, settings, family })
     }
 
     /// The first of its names that nobody has and `take` takes.
@@ -114,40 +134,55 @@ fn unwritten(path: &Path, error: &FileError) -> Failure {
     Failure::new(Class::Data, "data.undo_file", message)
 }
 
-/// What stands in it: the old values as those of a parameter file, and what was to come.
-fn text(head: &Head, plan: &Plan) -> String {
-    let (mut old, mut new) = (Settings::default(), Settings::default());
-    // What the drive says otherwise than the catalogue would not be read again without it.
-    let target = &plan.job.target;
-    let kind = |step: &Step| target.known_width(step.param.id).or(step.kind);
-    let own = |step: &Step| kind(step).filter(|kind| step.param.kind.is_some_and(|usual| usual != *kind));
-    let types = plan.job.steps.iter().filter_map(|step| Some((step.param.id, own(step)?))).collect();
-    let head = &Head { types, ..head.clone() };
-    // Behind a value that changes others, also what nobody writes may stand otherwise.
-    let moves = !plan.alters().is_empty();
-    let is_due = |row: &Written| row.result == WriteResult::Planned || moves && row.result == WriteResult::Unchanged;
-    let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| is_due(row));
-    let ram = plan.is_of_ram();
-    for (step, row) in rows.filter(|(step, _)| ram == (step.set >= DataSets::RAM_OFFSET)) {
-        let kind = kind(step);
-        let of = |raw: i64| Setting { param: step.param.clone(), set: step.set % 5, raw, kind, at: nowhere() };
-        if let Some(before) = row.old_raw {
-            old.insert(of(before));
-            // Of what was not to be written nobody knows what came.
-            if row.result == WriteResult::Planned {
-                new.insert(of(step.raw));
+impl Plan {
+    /// The head with what the drive says otherwise than the catalogue: the file would not be read again without it.
+    fn head(&self, head: &Head) -> Head {
+        let own = |step: &Step| self.kind(step).filter(|kind| step.param.kind.is_some_and(|usual| usual != *kind));
+        let types = self.job.steps.iter().filter_map(|step| Some((step.param.id, own(step)?))).collect();
+        Head { types, ..head.clone() }
+    }
+
+    fn kind(&self, step: &Step) -> Option<Type> {
+        self.job.target.known_width(step.param.id).or(step.kind)
+    }
+
+    /// The old values, and what was to come.
+    fn undo_settings(&self) -> UndoSettings {
+        let (mut old, mut new) = (Settings::default(), Settings::default());
+        // Behind a value that changes others, also what nobody writes may stand otherwise.
+        let moves = !self.alters().is_empty();
+        let is_due =
+            |row: &Written| row.result == WriteResult::Planned || moves && row.result == WriteResult::Unchanged;
+        let rows = self.job.steps.iter().zip(&self.job.rows).filter(|(_, row)| is_due(row));
+        let is_of_ram = self.is_of_ram();
+        for (step, row) in rows.filter(|(step, _)| is_of_ram == (step.set >= DataSets::RAM_OFFSET)) {
+            let of = |raw| Setting { kind: self.kind(step), ..Kept { raw, ..Kept::wanted(step) }.setting() };
+            if let Some(before) = row.old_raw {
+                old.insert(of(before));
+                // Of what was not to be written nobody knows what came.
+                if row.result == WriteResult::Planned {
+                    new.insert(of(step.raw));
+                }
             }
         }
-    }
-    for kept in plan.watched.iter().filter(|kept| ram == (kept.set >= DataSets::RAM_OFFSET)) {
-        let (param, set, raw) = (kept.param.clone(), kept.set % 5, kept.raw);
-        if old.exactly(param.id, set).is_none() {
-            old.insert(Setting { param, set, raw, kind: None, at: nowhere() });
+        for kept in self.watched.iter().filter(|kept| is_of_ram == (kept.set >= DataSets::RAM_OFFSET)) {
+            let setting = kept.setting();
+            if old.exactly(setting.param.id, setting.set).is_none() {
+                old.insert(setting);
+            }
         }
+        let store = if is_of_ram { Store::Ram } else { Store::Eeprom };
+        let ram = if is_of_ram { Settings::default() } else { self.in_ram_alone() };
+        UndoSettings { old, new, store, ram, unproven: Settings::default() }
     }
-    let store = if ram { Store::Ram } else { Store::Eeprom };
-    let lost = if ram { Settings::default() } else { plan.in_ram_alone() };
-    print_undo(head, &old, (&new, store), &lost, &target.family)
+}
+
+impl Kept {
+    /// The same as a line of a file.
+    fn setting(&self) -> Setting {
+        let Kept { param, set, raw } = self;
+        Setting { param: param.clone(), set: set % DataSets::RAM_OFFSET, raw: *raw, kind: None, at: nowhere() }
+    }
 }
 
 fn nowhere() -> At {
@@ -162,9 +197,12 @@ pub async fn plan_back(
     session: &mut Session<'_>,
     target: Target,
     terms: &Terms<'_>,
-    WayBack { steps, from, in_ram_alone }: WayBack,
+    WayBack { steps, from, in_ram_alone, unproven }: WayBack,
 ) -> Result<Plan, Failure> {
-    let mut plan = prepare(session, target, terms, steps, &Purpose::Back(from)).await?;
+    let mut plan = prepare(session, target, terms, steps, &Purpose::Back { from, unproven }).await?;
+    let is_told = |row: &Written| row.result == WriteResult::Planned && row.old_raw == Some(row.raw);
+    let is_doubted = plan.job.rows.iter().any(is_told);
+    plan.notes.extend(is_doubted.then(not_taken_back));
     plan.note_lost(session, &in_ram_alone).await?;
     Ok(plan)
 }
@@ -174,9 +212,8 @@ impl Plan {
     fn in_ram_alone(&self) -> Settings {
         let mut alone = Settings::default();
         for (step, row) in self.job.steps.iter().zip(&self.job.rows) {
-            for Kept { param, set, raw } in self.behind(step).filter(|kept| row.old_raw != Some(kept.raw)) {
-                let (param, set) = (param.clone(), set % DataSets::RAM_OFFSET);
-                alone.insert(Setting { param, set, raw: *raw, kind: None, at: nowhere() });
+            for kept in self.behind(step).filter(|kept| row.old_raw != Some(kept.raw)) {
+                alone.insert(kept.setting());
             }
         }
         alone
@@ -252,10 +289,15 @@ pub struct WayBack {
     pub from: Coming,
     /// What stood in the RAM alone: it is only named.
     pub in_ram_alone: Settings,
+    /// What perhaps did not come back.
+    pub unproven: Unproven,
 }
 
 /// What was to come, by number and data set as on the wire.
 pub type Coming = BTreeMap<(u32, u8), i64>;
+
+/// Places, by number and data set as on the wire, of which the drive may tell what is not stored there.
+pub type Unproven = BTreeSet<(u32, u8)>;
 
 /// What a file says of the way back.
 ///
@@ -266,12 +308,14 @@ pub fn way_back(file: &ParamFile, family: &Family) -> Result<WayBack, Failure> {
     let old = file.settings(family).map_err(|fault| broken(&fault))?;
     let coming = coming.map_err(|fault| broken(&fault))?;
     let in_ram_alone = file.in_ram_alone(family).map_err(|fault| broken(&fault))?;
+    let unproven = file.unproven(family).map_err(|fault| broken(&fault))?;
     let wire = |set| undo.store.wire(set);
     let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind, at: None };
     let mut steps: Vec<Step> = old.iter().map(step).collect();
     steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
     let from = coming.iter().map(|it| ((it.param.id, wire(it.set)), it.raw)).collect();
-    Ok(WayBack { steps, from, in_ram_alone })
+    let unproven = unproven.iter().map(|it| (it.param.id, wire(it.set))).collect();
+    Ok(WayBack { steps, from, in_ram_alone, unproven })
 }
 
 fn no_undo_file(file: &ParamFile) -> Failure {

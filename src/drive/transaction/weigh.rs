@@ -1,5 +1,6 @@
 //! One value of a plan: whether it is to be written, whether it may be, and why not.
 
+use super::undo_file::{Coming, Unproven};
 use crate::drive::job::{self, Step};
 use crate::drive::transfer::hides_width;
 use crate::drive::{Session, Target, Terms, describe, is_over};
@@ -8,7 +9,6 @@ use crate::outcome::{ErrorDoc, WriteResult, Written};
 use crate::profile::paramfile::value_text;
 use crate::profile::{DataSets, Family, FileRules, Param, Role, Type, value};
 use crate::text::{Text, both};
-use std::collections::BTreeMap;
 
 /// The code of a value that cannot be read on the way back.
 const UNREAD: &str = "partial.unread";
@@ -19,14 +19,19 @@ const MOST_SILENCES: usize = 2;
 pub(super) enum Purpose {
     /// To new values.
     Forward,
-    /// Back from these, by number and data set; what is not named was changed by the drive itself.
-    Back(BTreeMap<(u32, u8), i64>),
+    /// Back.
+    Back {
+        /// From these, by number and data set; what is not named was changed by the drive itself.
+        from: Coming,
+        /// Of these the drive perhaps tells what is not stored.
+        unproven: Unproven,
+    },
 }
 
 impl Purpose {
     /// What a load was to bring to a place that is brought back.
     pub(super) fn came(&self, step: &Step) -> Option<i64> {
-        let Purpose::Back(from) = self else { return None };
+        let Purpose::Back { from, .. } = self else { return None };
         // What was to come into all four data sets stands under 0, also where they differ by now.
         let all = step.set - step.set % DataSets::RAM_OFFSET;
         from.get(&(step.param.id, step.set)).or_else(|| from.get(&(step.param.id, all))).copied()
@@ -35,13 +40,20 @@ impl Purpose {
     /// Whether a value that is stored as before may stand otherwise in a RAM that is not shown: a load was to bring another one,
     /// or nobody says what it was to bring.
     pub(super) fn may_stand_otherwise(&self, step: &Step) -> bool {
-        let Purpose::Back(from) = self else { return false };
+        let Purpose::Back { from, .. } = self else { return false };
         from.is_empty() || self.came(step).is_some_and(|raw| raw != step.raw)
+    }
+
+    /// Whether a place is written also where the drive tells what it shall hold.
+    fn doubts(&self, step: &Step) -> bool {
+        let all = step.set - step.set % DataSets::RAM_OFFSET;
+        let is_in = |set| matches!(self, Purpose::Back { unproven, .. } if unproven.contains(&(step.param.id, set)));
+        is_in(step.set) || is_in(all)
     }
 
     /// Whether a value that does not come keeps nobody from bringing the others.
     pub(super) fn bears(&self, failure: &Failure, silences: usize) -> bool {
-        matches!(self, Purpose::Back(_)) && !is_over(failure) && silences < MOST_SILENCES
+        matches!(self, Purpose::Back { .. }) && !is_over(failure) && silences < MOST_SILENCES
     }
 }
 
@@ -62,7 +74,7 @@ pub(super) fn weigh(
     let kind = target.known_width(step.param.id).or(step.kind);
     let is_hidden = |raw: i64| step.kind.is_none() && hides_width(session, &step.param, raw);
     let verdict = match (old, purpose) {
-        (Ok(old), _) if old == step.raw => {
+        (Ok(old), _) if old == step.raw && !purpose.doubts(step) => {
             row.result = WriteResult::Unchanged;
             return (row, None);
         }
@@ -71,13 +83,17 @@ pub(super) fn weigh(
             let known = kind.ok_or_else(|| job::no_width(&step.param));
             known.and_then(|kind| allowed(step, Some(kind), (&target.family, session.own_address())))
         }
-        (Ok(old), Purpose::Back(from)) => {
+        (Ok(old), Purpose::Back { .. }) if old == step.raw => {
+            row.note = Some(not_taken_back());
+            keeps_line(&step.param, (&target.family, session.own_address()))
+        }
+        (Ok(old), Purpose::Back { from, .. }) => {
             let came = purpose.came(step);
             let on_line = keeps_line(&step.param, (&target.family, session.own_address()));
             on_line.and_then(|()| stands_as_left(step, &target.family.files, (old, came), from))
         }
         (Err(failure), Purpose::Forward) => Err(no_way_back(&step.param, failure)),
-        (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
+        (Err(failure), Purpose::Back { .. }) => Err(not_told(&step.param, failure)),
     };
     job::tell(&mut row, kind.and_then(|kind| job::telegram(terms, &target.family, target.address, step, kind)));
     let failure = verdict.err().map(|failure| located(step, failure));
@@ -152,7 +168,7 @@ fn stands_as_left(
     step: &Step,
     rules: &FileRules,
     (now, left): (i64, Option<i64>),
-    from: &BTreeMap<(u32, u8), i64>,
+    from: &Coming,
 ) -> Result<(), Failure> {
     let alters = |(id, _): &(u32, u8)| rules.altered_by(*id).any(|altered| altered == step.param.id);
     let shown = |raw| value_text(&step.param, raw);
@@ -244,6 +260,15 @@ pub(super) fn not_in_force() -> Text {
     )
 }
 
+/// Why a value that the drive tells as before is written.
+pub(super) fn not_taken_back() -> Text {
+    both!(
+        "told as before, but when the load failed the drive did not take it back, and it may tell its RAM as stored",
+        "gelesen wie vorher, aber als das Laden scheiterte, hat der Antrieb ihn nicht zurückgenommen, und vielleicht zeigt er sein RAM \
+         als gespeichert"
+    )
+}
+
 /// Why a value that is stored as before is written, into a RAM that nobody can read.
 pub(super) fn unread_in_ram() -> Text {
     both!(
@@ -269,15 +294,15 @@ pub(super) fn differs_in_ram(
             "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt, und eine Datei \
              zum Zurücknehmen bringt nur das Gespeicherte zurück"
         )),
-        (Purpose::Back(_), WriteResult::Unchanged) => Some(both!(
+        (Purpose::Back { .. }, WriteResult::Unchanged) => Some(both!(
             "{label}@{set}: what is stored is as before; the drive works with {raw} (RAM) until it is switched off",
             "{label}@{set}: gespeichert ist der Wert von vorher; der Antrieb arbeitet bis zum Ausschalten mit {raw} (RAM)"
         )),
-        (Purpose::Back(_), WriteResult::Planned) if is_new => Some(both!(
+        (Purpose::Back { .. }, WriteResult::Planned) if is_new => Some(both!(
             "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced",
             "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt"
         )),
-        (Purpose::Back(_), _) => None,
+        (Purpose::Back { .. }, _) => None,
     }
 }
 

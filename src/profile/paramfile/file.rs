@@ -36,6 +36,8 @@ pub struct Undo {
     pub lines: Vec<Line>,
     /// What stood in the RAM alone, over what was stored: it is named, and not brought back.
     pub ram: Vec<Line>,
+    /// What perhaps did not come back, and is written whatever the drive tells of it.
+    pub unproven: Vec<Line>,
 }
 
 /// A line of `[values]`, as it is written.

@@ -94,6 +94,11 @@ struct UndoTable {
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Scalar>")]
     ram: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
+    /// What the drive did not take back into its EEPROM when the transaction failed. It may tell its RAM as stored, so `antrieb dataset
+    /// undo` writes it whatever is read. Since version 2.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Scalar>")]
+    unproven: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
 }
 
 /// Where the values of a transaction went.
@@ -178,8 +183,9 @@ impl ParamFile {
             not_held.into_iter().map(|(reason, list)| source.list(reason, list.0)).collect::<Result<_, _>>()?;
         let types = types.into_iter().map(|(key, kind)| source.kind(&key, kind)).collect::<Result<_, _>>()?;
         let lines = source.lines(&values)?;
-        let undo = undo.map(|UndoTable { memory, values, ram }| {
-            Ok(Undo { store: memory.into(), lines: source.lines(&values)?, ram: source.lines(&ram)? })
+        let undo = undo.map(|UndoTable { memory, values, ram, unproven }| {
+            let [lines, ram, unproven] = [values, ram, unproven].map(|table| source.lines(&table));
+            Ok(Undo { store: memory.into(), lines: lines?, ram: ram?, unproven: unproven? })
         });
         let undo = undo.transpose()?;
         let head = Head { drive, saved, not_held, types, lang: Lang::En };

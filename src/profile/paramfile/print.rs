@@ -26,6 +26,26 @@ const IN_RAM: &Text = &Text::new(
     "Was nur im RAM stand; `antrieb dataset undo` nennt es und holt es nicht zurück.",
 );
 
+const UNPROVEN: &Text = &Text::new(
+    "What the drive did not take back; `antrieb dataset undo` writes it, whatever the drive tells of it.",
+    "Was der Antrieb nicht zurückgenommen hat; `antrieb dataset undo` schreibt es, was der Antrieb davon auch sagt.",
+);
+
+/// What takes a transaction back.
+#[derive(Clone, Debug)]
+pub struct UndoSettings {
+    /// What stood there.
+    pub old: Settings,
+    /// What was to come.
+    pub new: Settings,
+    /// Where it went.
+    pub store: Store,
+    /// What stood in the RAM alone.
+    pub ram: Settings,
+    /// What perhaps did not come back.
+    pub unproven: Settings,
+}
+
 /// The text of a file with these settings: the same settings make the same text.
 pub fn print(head: &Head, settings: &Settings, family: &Family) -> String {
     print_as(1, head, settings, family)
@@ -64,23 +84,20 @@ fn print_as(version: u32, head: &Head, settings: &Settings, family: &Family) -> 
     text
 }
 
-/// The text of a file that takes a transaction back: what stood there, what was to come, and where; and what stood in the `ram`
-/// alone.
-pub fn print_undo(
-    head: &Head,
-    old: &Settings,
-    (new, store): (&Settings, Store),
-    ram: &Settings,
-    family: &Family,
-) -> String {
-    let mut text = print_as(if ram.is_empty() { 1 } else { 2 }, head, old, family);
+/// The text of a file that takes a transaction back.
+pub fn print_undo(head: &Head, settings: &UndoSettings, family: &Family) -> String {
+    let UndoSettings { old, new, store, ram, unproven } = settings;
+    let version = if ram.is_empty() && unproven.is_empty() { 1 } else { 2 };
+    let mut text = print_as(version, head, old, family);
     let _ = write!(text, "\n# {}\n[undo]\n", TO_COME.get(head.lang));
-    let memory = if store == Store::Ram { "ram" } else { "eeprom" };
+    let memory = if *store == Store::Ram { "ram" } else { "eeprom" };
     let _ = write!(text, "memory = \"{memory}\"\n\n[undo.values]\n");
     text.extend(new.iter().map(|setting| line(setting, family, head.lang)));
-    if !ram.is_empty() {
-        let _ = write!(text, "\n# {}\n[undo.ram]\n", IN_RAM.get(head.lang));
-        text.extend(ram.iter().map(|setting| line(setting, family, head.lang)));
+    for (name, what, settings) in [("ram", IN_RAM, ram), ("unproven", UNPROVEN, unproven)] {
+        if !settings.is_empty() {
+            let _ = write!(text, "\n# {}\n[undo.{name}]\n", what.get(head.lang));
+            text.extend(settings.iter().map(|setting| line(setting, family, head.lang)));
+        }
     }
     text
 }

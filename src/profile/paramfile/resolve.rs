@@ -37,6 +37,14 @@ impl ParamFile {
         self.resolved(self.undo.as_ref().map_or(&[], |undo| undo.ram.as_slice()), family)
     }
 
+    /// What perhaps did not come back when a transaction failed; none where the file says nothing of it.
+    ///
+    /// # Errors
+    /// As [`ParamFile::settings`].
+    pub fn unproven(&self, family: &Family) -> Result<Settings, FileFault> {
+        self.resolved(self.undo.as_ref().map_or(&[], |undo| undo.unproven.as_slice()), family)
+    }
+
     fn resolved(&self, lines: &[Line], family: &Family) -> Result<Settings, FileFault> {
         let mut settings = Settings::default();
         for line in lines {

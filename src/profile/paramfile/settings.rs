@@ -26,6 +26,12 @@ pub struct Settings {
     by_place: BTreeMap<(u32, u8), Setting>,
 }
 
+impl FromIterator<Setting> for Settings {
+    fn from_iter<I: IntoIterator<Item = Setting>>(settings: I) -> Self {
+        Settings { by_place: settings.into_iter().map(|it| ((it.param.id, it.set), it)).collect() }
+    }
+}
+
 impl Settings {
     /// Adds a setting; returns what stood in its place.
     pub fn insert(&mut self, setting: Setting) -> Option<Setting> {

@@ -251,6 +251,17 @@ pub(crate) struct Fault {
     pub(crate) qualifier: u16,
 }
 
+/// How a cell takes a write to the EEPROM that is worn out, or not in force yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CellFault {
+    /// The RAM takes it, the EEPROM does not, and the drive says so (P.11 = 6, CM-485 manual 6.6).
+    Refuses,
+    /// The same, and the drive says nothing.
+    Keeps,
+    /// The EEPROM takes it, and the drive goes on working with what it had.
+    NotInForce,
+}
+
 /// What a script can let happen. A device takes what it knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Action {
@@ -264,6 +275,8 @@ pub(crate) enum Action {
     BusOff(Span),
     /// Somebody else sets this parameter, in this data set (0-9), to this raw value.
     Set(u32, u8, i64),
+    /// This cell of the EEPROM takes writes so from now on; as it should where there is nothing.
+    Eeprom(u32, u8, Option<CellFault>),
     /// Writes to this parameter or register are refused from now on.
     Refuses(u16),
     /// Writes to it are acknowledged from now on, and nothing comes of them.

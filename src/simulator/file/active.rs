@@ -8,9 +8,8 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::vabus::{Data, SystemNode};
 use crate::simulator::device::active::line::BAUD_RATES;
 use crate::simulator::device::active::setup::Setup;
-use crate::simulator::device::active::store::Fault as CellFault;
 use crate::simulator::device::active::{Active, Node};
-use crate::simulator::device::contract::{Action, Fault, NodeSetting};
+use crate::simulator::device::contract::{Action, CellFault, Fault, NodeSetting};
 use crate::simulator::device::shaft::Ramps;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::script::Event;
@@ -62,16 +61,28 @@ impl BenchFile<'_> {
         setup.four.clone_from(&row.four);
         setup.other_width.clone_from(&row.other_width);
         self.equip(&row.modules, &row.set, family, &mut setup)?;
-        for (key, word) in &row.eeprom {
-            let (param, set) = self.cell(key, word.span(), family, &setup)?;
+        setup.faulty = self.faulty(&row.eeprom, family, &setup)?;
+        Ok(setup)
+    }
+
+    /// Cells of the EEPROM, and how each takes a write.
+    fn faulty(
+        &self,
+        table: &BTreeMap<String, Spanned<String>>,
+        family: Option<&Family>,
+        setup: &Setup,
+    ) -> Result<Vec<(u32, u8, Option<CellFault>)>, Broken> {
+        let mut faulty = Vec::new();
+        for (key, word) in table {
+            let (param, set) = self.cell(key, word.span(), family, setup)?;
             if set >= RAM_OFFSET {
                 let message =
                     both!("eeprom \"{key}\": expected no RAM", "eeprom \"{key}\": hier wird kein RAM erwartet");
                 return Err(self.error(word.span(), message));
             }
-            setup.faulty.push((param.id, set, self.word("eeprom", word, FAULTS)?));
+            faulty.push((param.id, set, self.word("eeprom", word, FAULTS)?));
         }
-        Ok(setup)
+        Ok(faulty)
     }
 
     /// The drives behind it, on the system bus.
@@ -339,6 +350,8 @@ impl BenchFile<'_> {
             let (number, set, raw) = self.value(key, value, family, setup)?;
             actions.push(Action::Set(number, set, raw));
         }
+        let faulty = self.faulty(&row.eeprom, family, setup)?;
+        actions.extend(faulty.into_iter().map(|(number, set, fault)| Action::Eeprom(number, set, fault)));
         actions.extend(row.refuses.map(Action::Refuses));
         actions.extend(row.ignores.map(Action::Ignores));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
@@ -361,8 +374,8 @@ impl BenchFile<'_> {
         actions.extend(self.module_actions(row)?);
         if actions.is_empty() {
             let message = both!(
-                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, dragged, exchange_phases, hand or analog",
-                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, dragged, exchange_phases, hand oder analog"
+                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, eeprom, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, dragged, exchange_phases, hand or analog",
+                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, eeprom, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, dragged, exchange_phases, hand oder analog"
             );
             return Err(self.error(table.span(), message));
         }
@@ -386,7 +399,11 @@ impl BenchFile<'_> {
 }
 
 /// How an EEPROM takes a write.
-const FAULTS: &[(&str, CellFault)] =
-    &[("refuses", CellFault::Refuses), ("keeps", CellFault::Keeps), ("not-in-force", CellFault::NotInForce)];
+const FAULTS: &[(&str, Option<CellFault>)] = &[
+    ("takes", None),
+    ("refuses", Some(CellFault::Refuses)),
+    ("keeps", Some(CellFault::Keeps)),
+    ("not-in-force", Some(CellFault::NotInForce)),
+];
 /// RAM data sets are numbered 5 above their EEPROM twins (CM-485 manual 7).
 const RAM_OFFSET: u8 = 5;

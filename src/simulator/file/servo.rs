@@ -176,7 +176,7 @@ impl BenchFile<'_> {
         let others =
             others || row.stoa.is_some() || row.stob.is_some() || row.torque.is_some() || row.warning.is_some();
         let others = others || row.exchange_phases || row.hand.is_some() || row.analog.is_some();
-        let others = others || row.lasts.is_some();
+        let others = others || row.lasts.is_some() || !row.eeprom.is_empty();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
             let message = both!(

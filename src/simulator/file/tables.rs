@@ -161,6 +161,8 @@ pub(crate) struct EventTable {
     pub(crate) refuses: Option<u16>,
     pub(crate) ignores: Option<u16>,
     #[serde(default)]
+    pub(crate) eeprom: BTreeMap<String, Spanned<String>>,
+    #[serde(default)]
     pub(crate) set: BTreeMap<String, Spanned<Value>>,
     pub(crate) mains: Option<bool>,
     pub(crate) enable: Option<bool>,

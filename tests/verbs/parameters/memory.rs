@@ -2,7 +2,7 @@
 
 use crate::run::{Output, Run, antrieb};
 use antrieb::simulator::Bench;
-use antrieb::tick::Tick;
+use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 use serde_json::Value;
 
@@ -439,6 +439,40 @@ fn what_did_not_go_back_into_the_eeprom_is_not_hidden_behind_the_ram() {
         assert_eq!(left().cell(480, 2).0, Some(-1250), "telegram {step}");
     }
     assert!(torn > 0);
+}
+
+/// From the write on that `480@2` refuses, the EEPROM of `480@1` takes nothing back; after five minutes both are well again.
+const WORN: &str = "eeprom = { \"480@2\" = \"refuses\" }\n\
+    [[drive.event]]\nafter_writes = 2\neeprom = { \"480@1\" = \"refuses\" }\n\
+    [[drive.event]]\nat = \"300s\"\neeprom = { \"480@1\" = \"takes\", \"480@2\" = \"takes\" }";
+
+#[test]
+fn what_the_eeprom_did_not_take_back_is_written_by_undo_whatever_the_drive_tells_of_it() {
+    let in_force = ["rtu", "vabus", "ascii"].map(|protocol| ("in-force", protocol, 2));
+    for (reads, protocol, writes) in in_force.into_iter().chain([("refused", "rtu", 1)]) {
+        let keys = format!(
+            "set = {{ \"480\" = 5 }}\nreadings = {{ ram_reads = \"{reads}\" }}\nprotocol = \"{protocol}\"\n{WORN}"
+        );
+        let of_it = &format!("--protocol {protocol}");
+        let run = load(&keys, "\"480@1\" = 8\n\"480@2\" = 8").and(of_it).exits(9);
+        let file = run.text_of("f.undo.toml");
+        assert!(file.contains("\n[undo.unproven]\n\"480@1\" = \"5.00 Hz\""), "{file}");
+        let seen = left();
+        assert_eq!(seen.cell(480, 1), (Some(800), Some(500)), "{reads} {protocol}");
+        // Still worn: it is said, and may be tried again.
+        let undo = "-a 1 --yes dataset undo {dir}/f.undo.toml";
+        let worn = seen.then(run, undo).and(of_it).exits(9);
+        let seen = left();
+        assert_eq!(seen.cell(480, 1).0, Some(800), "{reads} {protocol}");
+        let Left(mut bench, at) = seen;
+        let later = at + Span::from_secs(300);
+        bench.advance(later);
+        let before = bench.totals().eeprom_writes;
+        let undone = Left(bench, later).then(worn, undo).and(of_it).exits(0);
+        let seen = left();
+        assert_eq!((seen.cell(480, 1), seen.worn() - before), ((Some(500), Some(500)), writes), "{reads} {protocol}");
+        assert!(reads == "refused" || undone.err.contains("may tell its RAM as stored"), "{}", undone.err);
+    }
 }
 
 #[test]

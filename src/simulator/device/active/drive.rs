@@ -76,6 +76,7 @@ impl Device for Drive {
             Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
             Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
             Action::Set(number, set, value) => active.set_by_hand(now, number, set, value),
+            Action::Eeprom(number, set, fault) => active.spoil(number, set, fault),
             Action::PowerCycle | Action::Silent(_) | Action::BusOff(_) | Action::Refuses(_) | Action::Ignores(_) => {}
         }
     }

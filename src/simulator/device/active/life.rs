@@ -5,7 +5,7 @@ use super::machine::Automaton;
 use super::setup::{Contacts, Setup};
 use super::state::{Active, cells};
 use crate::profile::Family;
-use crate::simulator::device::contract::NodeSetting;
+use crate::simulator::device::contract::{CellFault, NodeSetting};
 use crate::tick::{Span, Tick};
 
 /// Watchdog RS232/RS485 (CM-485 manual 6.9).
@@ -20,8 +20,7 @@ impl Active {
         let (stored, in_ram): (Vec<_>, Vec<_>) = values.into_iter().partition(|(_, set, _)| *set < 5);
         let mut active = Active::equipped(setup, &stored, family);
         for &(number, set, fault) in &setup.faulty {
-            let cells = active.specs.get(&number).map(|spec| cells(spec, set));
-            cells.into_iter().flatten().for_each(|set| active.store.spoil((number, set), fault));
+            active.spoil(number, set, fault);
         }
         match active.acu || active.contacts.mains {
             true => active.power_up(Tick::ZERO, Tick::ZERO),
@@ -30,6 +29,12 @@ impl Active {
         // What somebody has written to RAM since power-on (CM-485 manual 7).
         in_ram.iter().for_each(|(number, set, value)| active.store.write_ram((*number, set - 5), *value));
         active
+    }
+
+    /// From now on these cells of the EEPROM take writes so.
+    pub(crate) fn spoil(&mut self, number: u32, set: u8, fault: Option<CellFault>) {
+        let cells = self.specs.get(&number).map(|spec| cells(spec, set));
+        cells.into_iter().flatten().for_each(|set| self.store.spoil((number, set), fault));
     }
 
     /// Power-on or software reset: RAM from EEPROM, no fault, no warning; not ready before `up`. The watchdog waits for

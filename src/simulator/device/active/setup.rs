@@ -3,7 +3,7 @@
 use super::analog::Analog;
 use super::readings::Readings;
 use super::resolver::Resolver;
-use super::store::Fault;
+use crate::simulator::device::contract::CellFault;
 use crate::simulator::device::shaft::Ramps;
 use std::collections::BTreeMap;
 
@@ -39,7 +39,7 @@ pub(crate) struct Setup {
     /// Parameters with 16 bits where the catalogue says 32, and 32 where it says 16.
     pub(crate) other_width: Vec<u32>,
     /// Number, data set (0 for all), and how its EEPROM takes a write.
-    pub(crate) faulty: Vec<(u32, u8, Fault)>,
+    pub(crate) faulty: Vec<(u32, u8, Option<CellFault>)>,
     /// What sources tell that this bench does not work out.
     pub(crate) sources: BTreeMap<u16, i64>,
     /// Texts of string parameters.

@@ -1,21 +1,11 @@
 //! The cells of a drive: a copy in the EEPROM, and a copy in the RAM that the drive works with
 //! (CM-485 manual 7).
 
+use crate::simulator::device::contract::CellFault;
 use std::collections::BTreeMap;
 
 /// Number of a parameter and data set: 0 where it exists once, 1-4 where it is switchable.
 pub(crate) type Cell = (u32, u8);
-
-/// How a cell takes a write to the EEPROM that is worn out, or not in force yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Fault {
-    /// The RAM takes it, the EEPROM does not, and the drive says so (P.11 = 6, CM-485 manual 6.6).
-    Refuses,
-    /// The same, and the drive says nothing.
-    Keeps,
-    /// The EEPROM takes it, and the drive goes on working with what it had.
-    NotInForce,
-}
 
 /// EEPROM and RAM, raw values.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +15,7 @@ pub(crate) struct Store {
     /// What lives in the RAM only, with its value at power-on.
     volatile: BTreeMap<Cell, i64>,
     /// Cells that do not take a write as they should.
-    faulty: BTreeMap<Cell, Fault>,
+    faulty: BTreeMap<Cell, CellFault>,
     writes: u64,
 }
 
@@ -49,23 +39,26 @@ impl Store {
     /// Writes the EEPROM and, with it, the RAM. Every write wears the cell, also one of the same value.
     pub(crate) fn write_eeprom(&mut self, cell: Cell, value: i64) {
         let fault = self.faulty.get(&cell);
-        if matches!(fault, None | Some(Fault::NotInForce)) {
+        if matches!(fault, None | Some(CellFault::NotInForce)) {
             self.eeprom.insert(cell, value);
         }
-        if fault != Some(&Fault::NotInForce) {
+        if fault != Some(&CellFault::NotInForce) {
             self.ram.insert(cell, value);
         }
         self.writes = self.writes.saturating_add(1);
     }
 
-    /// From now on a cell takes writes so.
-    pub(crate) fn spoil(&mut self, cell: Cell, fault: Fault) {
-        self.faulty.insert(cell, fault);
+    /// From now on a cell takes writes so; as it should where there is nothing.
+    pub(crate) fn spoil(&mut self, cell: Cell, fault: Option<CellFault>) {
+        match fault {
+            Some(fault) => self.faulty.insert(cell, fault),
+            None => self.faulty.remove(&cell),
+        };
     }
 
     /// Whether the drive says that the EEPROM did not take a write.
     pub(crate) fn refuses(&self, cell: Cell) -> bool {
-        self.faulty.get(&cell) == Some(&Fault::Refuses)
+        self.faulty.get(&cell) == Some(&CellFault::Refuses)
     }
 
     /// Writes the RAM only.
