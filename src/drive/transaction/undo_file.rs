@@ -2,7 +2,7 @@
 //! the drive, and what was to come.
 
 use super::plan::{Kept, Plan, prepare};
-use super::weigh::{Purpose, not_taken_back};
+use super::weigh::{Coming, Purpose, Unproven, not_taken_back};
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
 use crate::drive::stands::{has_ram, in_ram};
@@ -13,7 +13,6 @@ use crate::outcome::{WriteResult, Written};
 use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text};
 use crate::profile::{DataSets, Family, Store, Type};
 use crate::text::{Text, both};
-use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -292,12 +291,6 @@ pub struct WayBack {
     /// What perhaps did not come back.
     pub unproven: Unproven,
 }
-
-/// What was to come, by number and data set as on the wire.
-pub type Coming = BTreeMap<(u32, u8), i64>;
-
-/// Places, by number and data set as on the wire, of which the drive may tell what is not stored there.
-pub type Unproven = BTreeSet<(u32, u8)>;
 
 /// What a file says of the way back.
 ///

@@ -1,6 +1,5 @@
 //! One value of a plan: whether it is to be written, whether it may be, and why not.
 
-use super::undo_file::{Coming, Unproven};
 use crate::drive::job::{self, Step};
 use crate::drive::transfer::hides_width;
 use crate::drive::{Session, Target, Terms, describe, is_over};
@@ -9,11 +8,18 @@ use crate::outcome::{ErrorDoc, WriteResult, Written};
 use crate::profile::paramfile::value_text;
 use crate::profile::{DataSets, Family, FileRules, Param, Role, Type, value};
 use crate::text::{Text, both};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The code of a value that cannot be read on the way back.
 const UNREAD: &str = "partial.unread";
 /// So many values in a row that do not come tell that nobody is there.
 const MOST_SILENCES: usize = 2;
+
+/// What was to come, by number and data set as on the wire.
+pub type Coming = BTreeMap<(u32, u8), i64>;
+
+/// Places, by number and data set as on the wire, of which the drive may tell what is not stored there.
+pub type Unproven = BTreeSet<(u32, u8)>;
 
 /// Where a transaction goes.
 pub(super) enum Purpose {
