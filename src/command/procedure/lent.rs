@@ -4,7 +4,7 @@
 use super::guide::{Deed, Guide, Turn};
 use super::record;
 use crate::drive::motion::{has_power, look};
-use crate::drive::{Target, job};
+use crate::drive::{Reading, Target, job};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Left, Lent, ProcedureRecord, Warning};
 use crate::profile::procedure::{Act, Step};
@@ -43,7 +43,11 @@ impl Guide<'_> {
         }
         self.record.lent = stays.into_iter().rev().map(|(lent, _)| Lent { stays: true, ..lent }).collect();
         let known = self.still_left(&mut target).await?;
-        let told: Vec<Text> = found.left.iter().map(|left| left_so(left, &family)).collect();
+        let told: Vec<Text> = found
+            .left
+            .iter()
+            .map(|Left { param, name, now, old, .. }| otherwise(name, &family.param_or_unknown(*param), *now, *old))
+            .collect();
         self.record.left = known.into_iter().chain(found.left).collect();
         record::save(&self.path, &self.record)?;
         if told.is_empty() {
@@ -58,8 +62,7 @@ impl Guide<'_> {
         let mut found = Found::default();
         for lent in self.record.lent.clone().into_iter().rev() {
             let (param, set) = placed(&target.family, lent.param, lent.data_set);
-            let told = target.read_set(&mut self.session, &param, set).await;
-            let reading = told.map_err(|error| error.failure(target.address, Some(&target.family)))?;
+            let reading = self.reads(target, &param, set).await?;
             let (now, before) = (reading.raw, lent.old);
             if now == before {
                 continue;
@@ -69,8 +72,7 @@ impl Guide<'_> {
                 found.left.push(Left { param, name, data_set, old, now });
                 continue;
             }
-            let (name, now, old) = (&lent.name, written(&param, now), written(&param, before));
-            found.told.push(both!("{name} = {now} (was {old})", "{name} = {now} (war {old})"));
+            found.told.push(otherwise(&lent.name, &param, now, before));
             found.ours.push((lent, job::Step { kind: Some(reading.kind), raw: before, param, set, at: None }));
         }
         Ok(found)
@@ -81,11 +83,15 @@ impl Guide<'_> {
         let mut still = Vec::new();
         for left in self.record.left.clone() {
             let (param, set) = placed(&target.family, left.param, left.data_set);
-            let told = target.read_set(&mut self.session, &param, set).await;
-            let now = told.map_err(|error| error.failure(target.address, Some(&target.family)))?.raw;
+            let now = self.reads(target, &param, set).await?.raw;
             still.extend((now != left.old).then_some(Left { now, ..left }));
         }
         Ok(still)
+    }
+
+    async fn reads(&mut self, target: &mut Target, param: &Param, set: u8) -> Result<Reading, Failure> {
+        let told = target.read_set(&mut self.session, param, set).await;
+        told.map_err(|error| error.failure(target.address, Some(&target.family)))
     }
 
     fn returning(&self, turn: Turn<'_>) -> Step {
@@ -130,11 +136,9 @@ pub(super) fn forgotten(replaced: &ProcedureRecord) -> Option<Warning> {
     (!told.is_empty()).then(|| Warning { code: "procedure.forgotten".to_owned(), message })
 }
 
-/// What was found in the place of what was lent.
-fn left_so(left: &Left, family: &Family) -> Text {
-    let Left { name, now, old, .. } = left;
-    let param = family.param_or_unknown(left.param);
-    let (now, old) = (written(&param, *now), written(&param, *old));
+/// What stands in the place of what was lent.
+fn otherwise(name: &str, param: &Param, now: i64, old: i64) -> Text {
+    let (now, old) = (written(param, now), written(param, old));
     both!("{name} = {now} (was {old})", "{name} = {now} (war {old})")
 }
 

@@ -4,7 +4,7 @@
 
 use super::ended::{Applied, untouched};
 use super::meanwhile::{THEIRS, covers, is_ours, still_may};
-use super::plan::{Kept, Plan, is_behind, is_touched};
+use super::plan::{Kept, Plan, is_behind, is_doubted, is_touched};
 use super::progress::{Doing, progress};
 use super::proof::{in_force, look};
 use super::running::RUNNING;
@@ -313,14 +313,12 @@ impl Plan {
         let is_its = |(step, row): (&Step, &Written)| {
             row.result == WriteResult::Differs && (step.param.id, step.set) == (kept.param.id, kept.set)
         };
-        // What is going to be written although the drive tells it already.
-        let is_doubted = |(step, row): (&Step, &Written)| {
-            let is_its = step.param.id == kept.param.id && covers(step.set, kept.set);
-            is_its && row.result == WriteResult::Planned && row.old_raw == Some(step.raw)
+        let doubts = |(step, row): (&Step, &Written)| {
+            step.param.id == kept.param.id && covers(step.set, kept.set) && is_doubted(row)
         };
         let is_shown = self.in_force.iter().any(|ram| ram.param.id == kept.param.id);
         let rows = || self.job.steps.iter().zip(&self.job.rows);
-        !self.tells_apart && (is_shown && rows().any(is_its) || rows().any(is_doubted))
+        !self.tells_apart && (is_shown && rows().any(is_its) || rows().any(doubts))
     }
 }
 

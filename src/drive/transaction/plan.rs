@@ -126,6 +126,11 @@ pub(super) fn is_touched(row: &Written) -> bool {
     is_begun || row.result == Refused
 }
 
+/// Whether a value is going to be written although the drive tells it already.
+pub(super) fn is_doubted(row: &Written) -> bool {
+    row.result == WriteResult::Planned && row.old_raw == Some(row.raw)
+}
+
 /// Reads what stands in the drive and checks everything; what the drive has already is not going to be written.
 ///
 /// # Errors

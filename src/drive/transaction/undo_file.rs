@@ -1,7 +1,7 @@
 //! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
 //! the drive, and what was to come.
 
-use super::plan::{Kept, Plan, prepare};
+use super::plan::{Kept, Plan, is_doubted, prepare};
 use super::weigh::{Coming, Purpose, Unproven, not_taken_back};
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
@@ -199,9 +199,7 @@ pub async fn plan_back(
     WayBack { steps, from, in_ram_alone, unproven }: WayBack,
 ) -> Result<Plan, Failure> {
     let mut plan = prepare(session, target, terms, steps, &Purpose::Back { from, unproven }).await?;
-    let is_told = |row: &Written| row.result == WriteResult::Planned && row.old_raw == Some(row.raw);
-    let is_doubted = plan.job.rows.iter().any(is_told);
-    plan.notes.extend(is_doubted.then(not_taken_back));
+    plan.notes.extend(plan.job.rows.iter().any(is_doubted).then(not_taken_back));
     plan.note_lost(session, &in_ram_alone).await?;
     Ok(plan)
 }

@@ -38,9 +38,7 @@ impl Purpose {
     /// What a load was to bring to a place that is brought back.
     pub(super) fn came(&self, step: &Step) -> Option<i64> {
         let Purpose::Back { from, .. } = self else { return None };
-        // What was to come into all four data sets stands under 0, also where they differ by now.
-        let all = step.set - step.set % DataSets::RAM_OFFSET;
-        from.get(&(step.param.id, step.set)).or_else(|| from.get(&(step.param.id, all))).copied()
+        stated(step).iter().find_map(|place| from.get(place)).copied()
     }
 
     /// Whether a value that is stored as before may stand otherwise in a RAM that is not shown: a load was to bring another one,
@@ -52,15 +50,20 @@ impl Purpose {
 
     /// Whether a place is written also where the drive tells what it shall hold.
     fn doubts(&self, step: &Step) -> bool {
-        let all = step.set - step.set % DataSets::RAM_OFFSET;
-        let is_in = |set| matches!(self, Purpose::Back { unproven, .. } if unproven.contains(&(step.param.id, set)));
-        is_in(step.set) || is_in(all)
+        let Purpose::Back { unproven, .. } = self else { return false };
+        stated(step).iter().any(|place| unproven.contains(place))
     }
 
     /// Whether a value that does not come keeps nobody from bringing the others.
     pub(super) fn bears(&self, failure: &Failure, silences: usize) -> bool {
         matches!(self, Purpose::Back { .. }) && !is_over(failure) && silences < MOST_SILENCES
     }
+}
+
+/// Under which places a file may state something of a step: what is of all four data sets stands under 0, also where they differ by now.
+fn stated(step: &Step) -> [(u32, u8); 2] {
+    let all = step.set - step.set % DataSets::RAM_OFFSET;
+    [step.set, all].map(|set| (step.param.id, set))
 }
 
 /// The row of a value, and why it cannot be written.
