@@ -101,14 +101,20 @@ fn the_stop_of_a_motor_goes_out_beside_another_master() {
     assert!(matches!(done, Ok(Reply::Frame { .. })) && at < Tick::ZERO + Span::from_millis(150), "{done:?} {at:?}");
 }
 
-/// Who interrupts before a repeat goes out has a question that was perhaps heard: the counting begins again.
-#[test]
-fn a_question_that_was_given_up_before_its_repeat_leaves_no_count() {
+/// A master whose first question was answered, when, and that question.
+fn answered() -> (Fdl, Tick, Vec<u8>) {
     let (mut fdl, mut now) = (fdl(), Tick::ZERO);
     fdl.ask(3, diag(), None, now);
     let first = sent(&mut fdl, &mut now);
     fdl.feed(now + Span::from_millis(20), &reply());
     assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+    (fdl, now, first)
+}
+
+/// Who interrupts before a repeat goes out has a question that was perhaps heard: the counting begins again.
+#[test]
+fn a_question_that_was_given_up_before_its_repeat_leaves_no_count() {
+    let (mut fdl, mut now, first) = answered();
     fdl.ask(3, diag(), None, now);
     let second = sent(&mut fdl, &mut now);
     assert_ne!(first, second, "the bit has changed");
@@ -126,11 +132,7 @@ fn a_question_that_was_given_up_before_its_repeat_leaves_no_count() {
 /// Who does not answer an FDL status has perhaps restarted: the next question to it is counted as its first.
 #[test]
 fn a_station_that_came_back_is_counted_anew() {
-    let (mut fdl, mut now) = (fdl(), Tick::ZERO);
-    fdl.ask(3, diag(), None, now);
-    let first = sent(&mut fdl, &mut now);
-    fdl.feed(now + Span::from_millis(20), &reply());
-    assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+    let (mut fdl, mut now, first) = answered();
     fdl.ask(3, Asked::STATUS, Some(0), now);
     while !matches!(fdl.step(now), Step::Done(Err(Unanswered::Silence { .. }))) {
         now += Span::from_millis(1);
