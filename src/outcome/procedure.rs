@@ -191,6 +191,8 @@ pub struct Lent {
     pub data_set: u8,
     /// Raw value before.
     pub old: i64,
+    /// The same as it is typed: `12.5`.
+    pub stood: String,
     /// Raw value that was written last, or was about to be.
     pub new: i64,
     /// Raw value that a run had written before it: this stands where it was broken off between the record and the telegram.
@@ -213,8 +215,12 @@ pub struct Left {
     pub data_set: u8,
     /// Raw value before the run.
     pub old: i64,
+    /// The same as it is typed: `12.5`.
+    pub stood: String,
     /// Raw value that was found.
     pub now: i64,
+    /// The same as it is typed.
+    pub stands: String,
 }
 
 /// A step in a record.
@@ -250,12 +256,12 @@ impl Lent {
 
 impl Lent {
     fn stays_so(&self) -> Text {
-        let Lent { name, old, new, .. } = self;
-        let back = way_back(name, *old);
+        let Lent { name, stood, new, .. } = self;
+        let back = way_back(name, stood);
         both!(
-            "{name} stays {new} (was {old}): contacts that are closed could start the drive under {old}; {back} sets it back, when \
+            "{name} stays {new} (was {stood}): contacts that are closed could start the drive under {stood}; {back} sets it back, when \
              nothing can start",
-            "{name} bleibt {new} (war {old}): geschlossene Kontakte könnten den Antrieb unter {old} starten; {back} stellt es zurück, \
+            "{name} bleibt {new} (war {stood}): geschlossene Kontakte könnten den Antrieb unter {stood} starten; {back} stellt es zurück, \
              wenn nichts anlaufen kann"
         )
     }
@@ -263,23 +269,19 @@ impl Lent {
 
 impl Left {
     fn told(&self) -> Text {
-        let Left { name, now, old, .. } = self;
-        let back = way_back(name, *old);
+        let Left { name, stands, stood, .. } = self;
+        let back = way_back(name, stood);
         both!(
-            "{name} was left alone at {now} (raw): a run that was broken off had changed it, and somebody else since; before that it was \
-             {old} (raw; {back})",
-            "{name} blieb bei {now} (roh): ein abgebrochener Lauf hatte es geändert, und seitdem jemand anderes; davor war es {old} (roh; \
-             {back})"
+            "{name} was left alone at {stands}: a run that was broken off had changed it, and somebody else since; before that it was \
+             {stood} ({back})",
+            "{name} blieb bei {stands}: ein abgebrochener Lauf hatte es geändert, und seitdem jemand anderes; davor war es {stood} ({back})"
         )
     }
 }
 
-/// The command that sets a raw value: in hexadecimal it is taken without its decimal point, if it is not below zero.
-fn way_back(name: &str, old: i64) -> String {
-    if old < 0 {
-        return format!("{name} = {old}");
-    }
-    format!("`antrieb write {}=0x{old:X}`", name.trim_start_matches("P."))
+/// The command that sets what stood before.
+fn way_back(name: &str, stood: &str) -> String {
+    format!("`antrieb write {}={stood}`", name.trim_start_matches("P."))
 }
 
 impl ProcedureRecord {
@@ -296,14 +298,16 @@ impl ProcedureRecord {
         self.steps.iter().find(|kept| kept.step == slug)
     }
 
-    /// Notes what a run is about to set, and what the setting was; what it was before an earlier run that was broken off, stays noted.
-    pub fn lend(&mut self, change: &Change) {
+    /// Notes what a run is about to set, and what the setting was, which is `stood` as it is typed; what it was before an earlier run that
+    /// was broken off, stays noted.
+    pub fn lend(&mut self, change: &Change, stood: String) {
         let Change { param, data_set, old, new, .. } = *change;
         match self.lent.iter_mut().find(|lent| lent.is_of(change)) {
             Some(lent) if lent.new == new => {}
             Some(lent) => (lent.was, lent.new) = (Some(lent.new), new),
             None => {
-                self.lent.push(Lent { param, name: change.name.clone(), data_set, old, new, was: None, stays: false });
+                let name = change.name.clone();
+                self.lent.push(Lent { param, name, data_set, old, stood, new, was: None, stays: false });
             }
         }
     }
@@ -362,12 +366,13 @@ mod tests {
             restored,
         };
         let left = |record: &ProcedureRecord| (0..9).filter(|raw| record.lent[0].is_left(*raw)).collect::<Vec<_>>();
-        record.lend(&change(0, 3, false));
+        let lend = |record: &mut ProcedureRecord, new: i64| record.lend(&change(0, new, false), "0.0".to_owned());
+        lend(&mut record, 3);
         assert_eq!(left(&record), [3]);
-        record.lend(&change(0, 5, false));
-        record.lend(&change(0, 5, false));
+        lend(&mut record, 5);
+        lend(&mut record, 5);
         assert_eq!(left(&record), [3, 5]);
-        record.lend(&change(0, 7, false));
+        lend(&mut record, 7);
         assert_eq!((left(&record), record.lent[0].old), (vec![5, 7], 0));
         // A later run found what an earlier one had left, and has given back that.
         record.take_back(&[change(7, 8, true)]);

@@ -145,9 +145,9 @@ fn killed(lent: &serde_json::Value) -> String {
 #[test]
 fn what_a_killed_run_has_left_goes_back_or_is_named() {
     let kept = killed(&serde_json::json!([
-        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "new": 2 },
-        { "param": 412, "name": "P.412@1ram", "data_set": 1, "old": 44, "new": 1 },
-        { "param": 434, "name": "P.434@1ram", "data_set": 1, "old": 3, "new": 1, "was": 2 },
+        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "stood": "0", "new": 2 },
+        { "param": 412, "name": "P.412@1ram", "data_set": 1, "old": 44, "stood": "44", "new": 1 },
+        { "param": 434, "name": "P.434@1ram", "data_set": 1, "old": 3, "stood": "3", "new": 1, "was": 2 },
     ]));
     let left = KNOWN.replace("\"412\" = 1", "\"412\" = 1, \"413\" = 2, \"434@1ram\" = 2");
     let told = antrieb(&format!("{} --again", commission(PLATE))).file(RECORD, &kept).on(&left).json();
@@ -164,7 +164,7 @@ fn what_a_killed_run_has_left_goes_back_or_is_named() {
 #[test]
 fn what_stays_is_not_forgotten_by_who_goes_on_in_two_steps() {
     let kept = killed(&serde_json::json!([
-        { "param": 412, "name": "P.412@1ram", "data_set": 1, "old": 44, "new": 1 },
+        { "param": 412, "name": "P.412@1ram", "data_set": 1, "old": 44, "stood": "44", "new": 1 },
     ]));
     let first = antrieb(&commission(PLATE)).file(RECORD, &kept).on(KNOWN).exits(8);
     assert!(first.out.contains("P.412@1ram stays 1 (was 44)"), "{}", first.out);
@@ -188,8 +188,8 @@ fn what_stays_is_not_forgotten_by_who_goes_on_in_two_steps() {
 #[test]
 fn what_the_killed_run_did_not_leave_is_left_alone_and_named() {
     let kept = killed(&serde_json::json!([
-        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "new": 2 },
-        { "param": 434, "name": "P.434@1ram", "data_set": 1, "old": 3, "new": 2 },
+        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "stood": "0", "new": 2 },
+        { "param": 434, "name": "P.434@1ram", "data_set": 1, "old": 3, "stood": "3", "new": 2 },
     ]));
     let changed = KNOWN.replace("\"412\" = 1", "\"412\" = 1, \"413\" = 5, \"434@1ram\" = 2");
     let again = format!("{} --again", commission(PLATE));
@@ -217,11 +217,12 @@ fn what_the_killed_run_did_not_leave_is_left_alone_and_named() {
 #[test]
 fn a_record_does_not_go_on_with_another_drive() {
     let kept = killed(&serde_json::json!([
-        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "new": 2 },
+        { "param": 413, "name": "P.413@0ram", "data_set": 0, "old": 0, "stood": "0", "new": 2 },
     ]));
     for (other, word) in [
         (KNOWN.replace("1390", "1000").replace("\"412\" = 1", "\"412\" = 1, \"413\" = 2"), "P.372@0 is 1000"),
         (KNOWN.replace("model = \"act\"", "model = \"acu\""), "a drive of the family acu answers"),
+        ("[[drive]]\nmodel = \"lxm05\"\n".to_owned(), "a drive of the family lxm05 answers"),
         (KNOWN.replace("model = \"act\"", "model = \"act\"\nmodules = [\"EM-RES-03\"]"), "option modules: EM-RES-03"),
     ] {
         let told = antrieb(&format!("{} --again -v", commission(PLATE))).file(RECORD, &kept).on(&other).exits(7);

@@ -259,12 +259,19 @@ fn who_goes_on_behind_a_kill_gives_back_what_stood_before() {
     // What somebody else has set since stays, and the way back to 12.5° is told as it is typed.
     let mut record: serde_json::Value = serde_json::from_str(kept).unwrap();
     let of_offset = record["lent"].as_array_mut().unwrap().iter_mut().find(|lent| lent["param"] == 382);
-    of_offset.unwrap()["old"] = 125.into();
+    let of_offset = of_offset.unwrap();
+    (of_offset["old"], of_offset["stood"]) = (125.into(), "12.5".into());
     let theirs = antrieb(&format!("{LINE} --again")).file(RECORD, &record.to_string());
     let theirs = theirs.on(&left.replace("RAM", "99")).exits(9);
     assert!(theirs.err.contains("P.382@1ram = 99.0 (was 12.5)"), "{}", theirs.err);
     assert!(theirs.err.contains(" write 382@1ram=12.5`"), "{}", theirs.err);
     assert!(theirs.text_of(RECORD).contains("382"), "{}", theirs.text_of(RECORD));
+    assert!(
+        theirs.out.contains("left alone at 99.0") && theirs.out.contains("was 12.5 (`antrieb write 382@1ram=12.5`)")
+    );
+    let replaced = antrieb(LINE).and("--force").file(RECORD, &record.to_string()).on(&bench(3, 52.0, ""));
+    let replaced = replaced.exits(0);
+    assert!(replaced.err.contains("P.382@1ram = 12.5"), "{}", replaced.err);
     let left = left.replace("RAM", &format!("\"{}\"", new as f64 / 10.0));
     let run = |more: &str, bench: &str| antrieb(&format!("{LINE} {more}")).file(RECORD, kept).on(bench);
     let told = run("--again", &left).json().exits(0);

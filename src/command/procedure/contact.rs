@@ -68,8 +68,18 @@ impl Guide<'_> {
             });
             other.push(both!("option modules: {now} (were: {before})", "Optionsmodule: {now} (waren: {before})"));
         }
+        if other.is_empty() {
+            // Only of the same make: another one may not know a parameter that was stored.
+            other.extend(self.stands_as_stored().await?);
+        }
+        if other.is_empty() { Ok(()) } else { Err(another(&Text::join(&other, ", "))) }
+    }
+
+    /// What its steps had stored and stands otherwise now.
+    async fn stands_as_stored(&mut self) -> Result<Vec<Text>, Failure> {
         let mut target = self.known().await?;
         self.allow();
+        let mut other = Vec::new();
         for Stored { param, data_set, raw } in self.record.stored.clone() {
             let param = target.family.param_or_unknown(param);
             let told = target.read_set(&mut self.session, &param, data_set).await;
@@ -82,7 +92,7 @@ impl Guide<'_> {
                 ));
             }
         }
-        if other.is_empty() { Ok(()) } else { Err(another(&Text::join(&other, ", "))) }
+        Ok(other)
     }
 
     /// Measures the line.

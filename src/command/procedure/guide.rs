@@ -228,11 +228,13 @@ impl Guide<'_> {
     /// Who answers must be who was meant.
     pub(super) fn meets(&mut self, target: &Target) -> Result<(), Failure> {
         let (drive, meant) = (target.family.drive.clone(), self.record.drive.clone());
-        describes(self.procedure, &drive)?;
         let is_named =
             |step: &KeptStep| !self.procedure.steps.iter().any(|row| row.slug == step.step && row.act == Act::Confirm);
-        let was_another =
-            drive != meant && self.record.steps.iter().any(|step| step.result == StepFate::Done && is_named(step));
+        let is_done = |step: &KeptStep| step.result == StepFate::Done && is_named(step);
+        let was_another = drive != meant && (self.record.asked || self.record.steps.iter().any(is_done));
+        if !was_another {
+            describes(self.procedure, &drive)?;
+        }
         if was_another || self.procedure.steps_of(&drive) != self.procedure.steps_of(&meant) {
             let message = both!(
                 "a drive of the family {drive} answers, but the steps so far were for the family {meant}",

@@ -43,18 +43,11 @@ impl Guide<'_> {
         }
         self.record.lent = stays.into_iter().rev().map(|(lent, _)| Lent { stays: true, ..lent }).collect();
         let known = self.still_left(&mut target).await?;
-        let told: Vec<Text> = found
-            .left
-            .iter()
-            .map(|Left { param, name, now, old, .. }| otherwise(name, &family.param_or_unknown(*param), *now, *old))
-            .collect();
+        let told = found.left.iter().map(|Left { name, stands, stood, .. }| otherwise(name, stands, stood));
+        let told: Vec<Text> = told.collect();
         self.record.left = known.into_iter().chain(found.left).collect();
         record::save(&self.path, &self.record)?;
-        if told.is_empty() {
-            Ok(())
-        } else {
-            Err(left_alone(&Text::join(&told, ", "), &self.record.left, &target.family))
-        }
+        if told.is_empty() { Ok(()) } else { Err(left_alone(&Text::join(&told, ", "), &self.record.left)) }
     }
 
     /// Reads what was lent where it was set.
@@ -68,11 +61,12 @@ impl Guide<'_> {
                 continue;
             }
             if !lent.is_left(now) {
-                let Lent { param, name, data_set, old, .. } = lent;
-                found.left.push(Left { param, name, data_set, old, now });
+                let Lent { param: number, name, data_set, old, stood, .. } = lent;
+                let stands = written(&param, now);
+                found.left.push(Left { param: number, name, data_set, old, stood, now, stands });
                 continue;
             }
-            found.told.push(otherwise(&lent.name, &param, now, before));
+            found.told.push(otherwise(&lent.name, &written(&param, now), &lent.stood));
             found.ours.push((lent, job::Step { kind: Some(reading.kind), raw: before, param, set, at: None }));
         }
         Ok(found)
@@ -84,7 +78,7 @@ impl Guide<'_> {
         for left in self.record.left.clone() {
             let (param, set) = placed(&target.family, left.param, left.data_set);
             let now = self.reads(target, &param, set).await?.raw;
-            still.extend((now != left.old).then_some(Left { now, ..left }));
+            still.extend((now != left.old).then(|| Left { now, stands: written(&param, now), ..left }));
         }
         Ok(still)
     }
@@ -126,9 +120,9 @@ fn may_start(lent: &Lent, family: &Family, status: u32) -> bool {
 
 /// What the record that is replaced still had to give back: nobody does that any more.
 pub(super) fn forgotten(replaced: &ProcedureRecord) -> Option<Warning> {
-    let rows = replaced.lent.iter().map(|lent| (&lent.name, lent.old));
-    let rows = rows.chain(replaced.left.iter().map(|left| (&left.name, left.old)));
-    let told = rows.map(|(name, old)| format!("{name} = {old}")).collect::<Vec<_>>().join(", ");
+    let rows = replaced.lent.iter().map(|lent| (&lent.name, &lent.stood));
+    let rows = rows.chain(replaced.left.iter().map(|left| (&left.name, &left.stood)));
+    let told = rows.map(|(name, stood)| format!("{name} = {stood}")).collect::<Vec<_>>().join(", ");
     let message = both!(
         "the record that was replaced had not given everything back; before its procedure this stood in its drive: {told}",
         "die ersetzte Aufzeichnung hatte noch nicht alles zurückgegeben; vor ihrer Prozedur stand in ihrem Antrieb: {told}"
@@ -137,12 +131,11 @@ pub(super) fn forgotten(replaced: &ProcedureRecord) -> Option<Warning> {
 }
 
 /// What stands in the place of what was lent.
-fn otherwise(name: &str, param: &Param, now: i64, old: i64) -> Text {
-    let (now, old) = (written(param, now), written(param, old));
-    both!("{name} = {now} (was {old})", "{name} = {now} (war {old})")
+fn otherwise(name: &str, stands: &str, stood: &str) -> Text {
+    both!("{name} = {stands} (was {stood})", "{name} = {stands} (war {stood})")
 }
 
-fn left_alone(told: &Text, left: &[Left], family: &Family) -> Failure {
+fn left_alone(told: &Text, left: &[Left]) -> Failure {
     let message = both!(
         "left alone: {told}; a run that was broken off had changed it, but what stands there now is not what it had set: somebody else has \
          set it since, the drive has restarted, or it is another one",
@@ -150,8 +143,7 @@ fn left_alone(told: &Text, left: &[Left], family: &Family) -> Failure {
          anderes hat es seitdem gestellt, der Antrieb ist neu gestartet, oder es ist ein anderer",
         told
     );
-    let before = |left: &Left| written(&family.param_or_unknown(left.param), left.old);
-    let back = left.iter().map(|left| format!("{}={}", left.name.trim_start_matches("P."), before(left)));
+    let back = left.iter().map(|left| format!("{}={}", left.name.trim_start_matches("P."), left.stood));
     let back = back.collect::<Vec<_>>().join(" ");
     Failure::new(Class::Partial, "partial.not_given_back", message).hint(both!(
         "see that it is the right drive and what its values are to be; `antrieb write {back}` sets what stood before",

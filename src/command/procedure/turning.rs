@@ -12,7 +12,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::Question;
 use crate::outcome::{Change, Data, KeptStep, Outcome, ProcedureRecord, StepFate};
 use crate::profile::procedure::Act;
-use crate::profile::value::{self, format_decimal};
+use crate::profile::value::{self, format_decimal, written};
 use crate::profile::{Family, Param, Role};
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -189,10 +189,11 @@ impl Guide<'_> {
         details: Vec<Text>,
     ) -> Result<(), Failure> {
         let motion = bounded(StopArg::Coast, None, watchdog(self.given)?);
-        let begun = self.begin(turn);
+        let (begun, family) = (self.begin(turn), self.known().await?.family);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let (address, record) = (record.address, RefCell::new(record));
-        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change));
+        let stood = |change: &Change| written(&family.param_or_unknown(change.param), change.old);
+        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change, stood(change)));
         let plan = Plan { keeps: Some(Keeps(&keeps)), ..Plan::of("reset", turn.title(), &motion) };
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
         let told = running::on_line(
@@ -249,11 +250,12 @@ impl Guide<'_> {
         led: Led<'_>,
         then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        let begun = self.begin(turn);
+        let (begun, family) = (self.begin(turn), self.known().await?.family);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let (address, record) = (record.address, RefCell::new(record));
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
-        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change));
+        let stood = |change: &Change| written(&family.param_or_unknown(change.param), change.old);
+        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change, stood(change)));
         let led = Led { keeps: Some(Keeps(&keeps)), ..led };
         let told = sollwert::led(
             session,
