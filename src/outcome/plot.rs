@@ -29,6 +29,8 @@ pub struct Plot {
     pub marks: Vec<PlotMark>,
     /// When nothing was answered.
     pub gaps: Vec<PlotGap>,
+    /// What of it cannot be told from this record.
+    pub notes: Vec<Text>,
 }
 
 /// A curve. What it comes to is null without --measure, and where it has no value.

@@ -95,14 +95,20 @@ fn unbroken(setpoint: &Curve, actual: &Curve, (from, to): (f64, f64), band: f64,
     };
     let (setpoint, actual) = (known(setpoint), known(actual));
     let changes = changes(&setpoint);
-    let ends = changes.iter().skip(1).map(|change| change.t).chain([f64::INFINITY]);
+    let ends = changes.iter().skip(1).map(|change| change.since).chain([f64::INFINITY]);
     let stopped = |t: f64| stops.iter().copied().find(|stop| *stop > t).unwrap_or(f64::INFINITY);
-    let ended = changes.iter().zip(ends).map(|(change, end)| (change, end.min(stopped(change.t))));
-    ended.filter_map(|(change, end)| response(change, &actual, end, band)).collect()
+    let until = |change: &Change, end: f64| {
+        let stop = stopped(change.t);
+        let is_in = move |t: f64| t <= end && t < stop;
+        actual.iter().filter(|(t, _)| is_in(*t)).copied().collect::<Vec<_>>()
+    };
+    changes.iter().zip(ends).filter_map(|(change, end)| response(change, &until(change, end), band)).collect()
 }
 
 /// A change of a setpoint, all at once or by a ramp.
 struct Change {
+    /// When the setpoint before it was seen last: it came between this and `t`, and so may what the actual value did about it.
+    since: f64,
     t: f64,
     from: f64,
     to: f64,
@@ -124,7 +130,7 @@ fn changes(setpoint: &[(f64, f64)]) -> Vec<Change> {
         };
         match changes.last_mut().filter(goes_on) {
             Some(change) => (change.to, change.done) = (now, t),
-            None => changes.push(Change { t, from: before, to: now, done: t }),
+            None => changes.push(Change { since: before_t, t, from: before, to: now, done: t }),
         }
     }
     changes
@@ -140,10 +146,11 @@ fn usual_step(samples: &[(f64, f64)]) -> f64 {
 /// Of a way that was cut off so many samples at least make a slope.
 const LEAST: usize = 5;
 
-fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Option<Response> {
-    let before = actual.iter().rfind(|(t, _)| *t < change.t);
-    let start = before.or(actual.first())?.1;
-    let course: Vec<(f64, f64)> = actual.iter().filter(|(t, _)| *t >= change.t && *t < until).copied().collect();
+/// How the actual value, as far as it counts, followed a change.
+fn response(change: &Change, actual: &[(f64, f64)], band: f64) -> Option<Response> {
+    let before = actual.iter().rfind(|(t, _)| *t <= change.since);
+    let (begun, start) = *before.or(actual.first())?;
+    let course: Vec<(f64, f64)> = actual.iter().filter(|(t, _)| *t >= change.t).copied().collect();
     let (last, end) = *course.last()?;
     let (way, side) = (end - start, (end - start).signum());
     let mut response = Response {
@@ -176,7 +183,7 @@ fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Op
         None => return Some(response),
     };
     // It may have left its beginning before it was seen to.
-    let seen: Vec<(f64, f64)> = before.into_iter().chain(&course).copied().collect();
+    let seen: Vec<(f64, f64)> = actual.iter().filter(|(t, _)| *t >= begun).copied().collect();
     let passes = |share: f64| crossing(&seen, start + share * way, side);
     if let (Some(early), Some(late)) = (passes(0.1), passes(0.9))
         && late > early
@@ -251,6 +258,25 @@ mod tests {
         let last_outside = (0..100_000).map(|n| f64::from(n) * 1e-4).rfind(|t| (answer(*t) - 20.0).abs() > 0.4);
         near(told.settling_s.unwrap(), last_outside.unwrap() + dead, step);
         assert!(told.dead_time_s.unwrap() > dead, "the tangent leaves behind the dead time");
+    }
+
+    /// Two values of a round are asked one after the other: an actual value may tell of a change before the setpoint does.
+    #[test]
+    fn what_the_setpoint_was_not_seen_to_ask_for_yet_is_no_end_of_what_it_asked_before() {
+        let (setpoint, actual): (Vec<_>, Vec<_>) = (0..200)
+            .map(|n| f64::from(n) * 0.1)
+            .map(|t| {
+                let at =
+                    |t: f64| if (2.0..12.05).contains(&t) { (25.0, (5.0 * (t - 2.0)).min(25.0)) } else { (0.0, 0.0) };
+                ((t, Some(at(t).0)), (t + 0.06, Some(at(t + 0.06).1)))
+            })
+            .unzip();
+        let setpoint = curve(Part::Setpoint, setpoint.into_iter());
+        let told = responses(&setpoint, &curve(Part::Actual, actual.into_iter()), (0.0, 20.0), 0.02, (&[], &[]));
+        let [up, down] = told[..] else { panic!("{told:?}") };
+        assert_eq!((up.start, up.end, down.start, down.end), (0.0, 25.0, 25.0, 0.0));
+        near(up.slope.unwrap(), 5.0, 0.01);
+        near(up.settling_s.unwrap(), 4.9, 0.11);
     }
 
     #[test]

@@ -144,6 +144,23 @@ fn a_trip_and_a_coast_are_no_responses() {
     }
 }
 
+/// Where its status word was not asked, nobody can tell a coast from a setpoint of 0, and that is said; each way ends where its own
+/// setpoint was seen last.
+#[test]
+fn without_a_state_it_is_said_that_what_follows_may_be_a_stop() {
+    for interval in ["0", "100ms"] {
+        let line = format!("-a 1 monitor 283 210 --interval {interval} --duration 12s --unpaced --record {{dir}}/x.ndjson");
+        let plot = antrieb(&line).on(TWICE).exits(0).then("plot {dir}/x.ndjson --measure").json().exits(0);
+        let up = plot.data("/responses/0");
+        assert!(up["end"].as_f64() > Some(19.0) && up["slope"].is_f64(), "{interval}: {up:#}");
+        let told = plot.data("/notes").to_string();
+        assert!(told.contains("holds no state of the drive"), "{interval}: {told}");
+    }
+    let line = "-a 1 monitor 411 283 210 --interval 100ms --duration 12s --unpaced --record {dir}/x.ndjson";
+    let plot = antrieb(line).on(TWICE).exits(0).then("plot {dir}/x.ndjson --measure").json().exits(0);
+    assert_eq!(plot.data("/notes"), &json!([]));
+}
+
 /// The port is exclusive, so a run is recorded by itself. Its stop ends what is measured; the motor of the bench runs up with 5 Hz/s.
 #[test]
 fn a_run_that_recorded_itself_is_measured_until_its_stop() {

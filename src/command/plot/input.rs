@@ -119,6 +119,7 @@ pub(super) fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure
         responses: None,
         marks: drawn.iter().filter_map(turn).collect(),
         gaps: Vec::new(),
+        notes: Vec::new(),
     };
     let warnings = warnings(&assumed, least.is_some_and(|least| least != 0));
     Ok(Outcome { data: Some(Data::Plot(plot)), warnings, failure: None })

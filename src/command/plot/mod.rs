@@ -10,7 +10,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Outcome, Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 use crate::profile::Registry;
 use crate::scope::{Curve, MarkKind, Part, Response, Scene, picture, responses, statistics};
-use crate::text::{Lang, both};
+use crate::text::{Lang, Text, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use record::{Column, Track};
@@ -137,6 +137,7 @@ impl Args {
         let units = scene.units();
         let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), self.measure);
         let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0, &track.breaks()));
+        let is_blind = !track.has_state() && !responses.iter().all(Vec::is_empty);
         let plot = Plot {
             file: self.file.display().to_string(),
             svg: self.svg.as_ref().map(|path| path.display().to_string()),
@@ -149,6 +150,7 @@ impl Args {
             responses,
             marks: scene.marks.iter().map(told).collect(),
             gaps: scene.gaps.iter().map(|(from, to)| PlotGap { from: *from, to: *to }).collect(),
+            notes: is_blind.then(stateless).into_iter().collect(),
         };
         Ok((plot, scene))
     }
@@ -272,6 +274,15 @@ fn part(part: Part) -> &'static str {
 fn rounded(number: f64) -> f64 {
     let round = (number * 1e6).round() / 1e6;
     if round == 0.0 { 0.0 } else { round }
+}
+
+fn stateless() -> Text {
+    both!(
+        "the record holds no state of the drive (its status word was not asked): what is told as following a setpoint may be a stop, a coast or \
+         a trip",
+        "die Aufzeichnung enthält keinen Zustand des Antriebs (sein Statuswort wurde nicht gefragt): was als Folgen eines Sollwerts gemessen \
+         ist, kann auch ein Halt, ein Auslaufen oder eine Störung sein"
+    )
 }
 
 fn nobody(file: &Path, address: Option<u8>, known: &[u8]) -> Failure {

@@ -316,6 +316,11 @@ impl Track {
         (first, times().chain(self.rows.iter().map(|row| row.t)).fold(first, f64::max))
     }
 
+    /// Whether the drive's state, or the end of a run, stands in it.
+    pub(super) fn has_state(&self) -> bool {
+        self.rows.iter().any(|row| row.state.is_some()) || self.marks.iter().any(|mark| mark.kind == MarkKind::Stop)
+    }
+
     /// How long each state was seen.
     pub(super) fn states(&self) -> Vec<Stretch> {
         let mut states: Vec<Stretch> = Vec::new();
@@ -323,10 +328,11 @@ impl Track {
         let before = [None].into_iter().chain(self.rows.iter().map(Some));
         for (before, row) in before.zip(&self.rows) {
             now = now.filter(|_| before.is_none_or(|before| row.follows(before)));
-            if let Some(last) = states.last_mut().filter(|_| now.is_some()) {
+            let state = row.state.as_ref();
+            // In a round that was not answered nobody knows whether it still was so.
+            if let Some(last) = states.last_mut().filter(|_| now.is_some() && (state.is_some() || !row.is_gap)) {
                 last.to = row.t;
             }
-            let state = row.state.as_ref();
             if let Some((slug, name)) = state.filter(|(slug, _)| now != Some(slug)) {
                 let is_fault = slug.starts_with("fault");
                 states.push(Stretch { from: row.t, to: row.t, name: name.clone(), is_fault });

@@ -36,6 +36,10 @@ impl Finding for Plot {
                 text += &table;
             }
         }
+        for note in &self.notes {
+            text += "\n";
+            text += &page.prose(&page.say(note));
+        }
         if let Some(svg) = &self.svg {
             text += &format!("{}: {}\n", page.word("picture"), clean(svg));
         }

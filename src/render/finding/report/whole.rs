@@ -146,6 +146,9 @@ impl Page {
         if matches!(&table, Block::Table(table) if !table.rows.is_empty()) {
             blocks.push(table);
         }
+        blocks.extend(
+            (!plot.notes.is_empty()).then(|| Block::List(plot.notes.iter().map(|note| self.say(note)).collect())),
+        );
         blocks
     }
 
