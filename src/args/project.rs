@@ -44,7 +44,7 @@ pub(super) struct File {
     pub(super) catalogue: Vec<PathBuf>,
     #[serde(default)]
     ports: BTreeMap<String, NamedPort>,
-    #[serde(default, deserialize_with = "named")]
+    #[serde(default)]
     pub(super) drives: BTreeMap<String, NamedDrive>,
     #[serde(default)]
     pub(super) groups: BTreeMap<String, Vec<String>>,
@@ -180,7 +180,8 @@ pub(super) fn read_config(directory: &Path, called: &Path, must_exist: bool) -> 
     };
     let mut file: File = toml::from_str(&text).map_err(|error| {
         let (at, why) = stumbled(&error);
-        wrong_at(path, &text, at, why)
+        let failure = wrong_at(path, &text, at, why);
+        if is_bare_head(&text, at) { failure.hint(in_quotes()) } else { failure }
     })?;
     if let (Some(folder), Some(stands)) = (called.parent().filter(|it| !it.as_os_str().is_empty()), path.parent()) {
         file.call_ports(|port| from_outside(port, folder, stands));
@@ -202,6 +203,21 @@ fn wrong_at(path: &Path, text: &str, offset: usize, why: Text) -> Failure {
     let (shown, (line, column)) = (path.display(), place(text, offset));
     let text = both!("{shown}:{line}:{column}: {why}", "{shown}:{line}:{column}: {why}", why);
     Failure::new(Class::Data, "data.config", text)
+}
+
+/// Whether it is the head of a table with a name that is no word of TOML: `[drives.Pumpe Nord]`.
+fn is_bare_head(text: &str, at: usize) -> bool {
+    let before = text.get(..at).unwrap_or_default();
+    let line = text.get(before.rfind('\n').map_or(0, |end| end + 1)..).unwrap_or_default().lines().next();
+    let name = line.and_then(|line| line.trim().strip_prefix('[')).unwrap_or_default().trim_end_matches(']');
+    !name.contains('"') && name.contains(|letter: char| letter == ' ' || !letter.is_ascii())
+}
+
+fn in_quotes() -> Text {
+    both!(
+        "a name with blanks or umlauts stands in quotes: `[drives.\"Pump North\"]`",
+        "ein Name mit Leerzeichen oder Umlauten steht in Anführungszeichen: `[drives.\"Pumpe Süd\"]`"
+    )
 }
 
 /// Where a value stands; that of the last key that there is.
@@ -242,6 +258,14 @@ impl File {
 
     /// Puts in each drive what its port says, and looks whether everything fits together.
     fn settle(&mut self) -> Result<(), Fault> {
+        // It would take the place of an address, or of a list of them, and start another drive.
+        if let Some(name) = self.drives.keys().find(|name| !name.contains(char::is_alphabetic)) {
+            let why = both!(
+                "`drives.\"{name}\"` reads as an address; the name of a drive has a letter in it",
+                "`drives.\"{name}\"` liest sich als Adresse; der Name eines Antriebs hat einen Buchstaben"
+            );
+            return Err(fault(&["drives", name], why));
+        }
         if let Some(name) = self.drives.keys().find(|name| is_several(name)) {
             let why = both!(
                 "`all`, `@group` and lists with commas mean several drives; expected another name for this one",
@@ -337,18 +361,6 @@ fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Err
     match numbers.into_iter().find(|number| !(1..=LAST_STATION.into()).contains(number)) {
         Some(number) => Err(in_both(&no_station(number.into()))),
         None => Ok(Some(text)),
-    }
-}
-
-/// The drives by name. A name that could be a list of addresses would take the place of one, and start another drive.
-fn named<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, NamedDrive>, D::Error> {
-    let drives = BTreeMap::<String, NamedDrive>::deserialize(file)?;
-    match drives.keys().find(|name| !name.contains(char::is_alphabetic)) {
-        Some(name) => Err(in_both(&both!(
-            "`drives.\"{name}\"` reads as an address; the name of a drive has a letter in it",
-            "`drives.\"{name}\"` liest sich als Adresse; der Name eines Antriebs hat einen Buchstaben"
-        ))),
-        None => Ok(drives),
     }
 }
 

@@ -280,7 +280,7 @@ impl Place {
             }
             return both!("`{option}` is an option of {verbs}", "`{option}` ist eine Option von {verbs}");
         }
-        if let Some(line) = self.meant(error).filter(|_| self.path.is_empty()) {
+        if let Some(line) = self.meant(error) {
             return both!("it is `{line}`", "es heißt `{line}`");
         }
         let near = [Told::SuggestedArg, Told::SuggestedValue, Told::SuggestedSubcommand];
@@ -347,7 +347,13 @@ impl Place {
         let Some(ContextValue::String(said)) = error.get(Told::InvalidSubcommand) else { return None };
         // Who pastes a command behind what he has typed already names the program twice.
         let is_twice = said == "antrieb" && self.words.iter().skip(1).any(|one| one == said);
-        let command = if is_twice { "" } else { meant(said)? };
+        let command = match (is_twice, &*self.path) {
+            (true, []) => "",
+            (false, []) => meant(said)?,
+            // `dataset compare`: another word for a verb within this one.
+            (_, [verb]) => meant(said)?.strip_prefix(verb.as_str())?.strip_prefix(' ')?,
+            _ => return None,
+        };
         let words = self.words.iter().skip(1).filter(|one| *one != said || !command.is_empty());
         let words = words.map(|one| if one == said { command.to_owned() } else { word(one) });
         Some(std::iter::once("antrieb".to_owned()).chain(words).collect::<Vec<_>>().join(" "))

@@ -125,6 +125,7 @@ fn wanted(expected: &str) -> Text {
         "a number, or a number in quotes" => {
             both!("a number, or a number in quotes", "eine Zahl oder eine Zahl in Anführungszeichen")
         }
+        "any valid TOML value" => both!("a number that TOML can hold", "eine Zahl, die TOML fasst"),
         _ if expected.starts_with("struct ") => both!("a table", "eine Tabelle"),
         _ => Text::quoted(expected),
     }
@@ -133,7 +134,7 @@ fn wanted(expected: &str) -> Text {
 /// What stands there.
 fn got(unexpected: &str) -> Text {
     let (kind, value) = unexpected.split_once(' ').unwrap_or((unexpected, ""));
-    let value = value.trim_matches('`').trim_start_matches("point `");
+    let value = value.trim_end_matches(" as i128").trim_matches('`').trim_start_matches("point `");
     match kind {
         "string" => both!("the text {value}", "der Text {value}"),
         "integer" | "floating" => both!("the number {value}", "die Zahl {value}"),

@@ -149,7 +149,8 @@ fn a_trip_and_a_coast_are_no_responses() {
 #[test]
 fn without_a_state_it_is_said_that_what_follows_may_be_a_stop() {
     for interval in ["0", "100ms"] {
-        let line = format!("-a 1 monitor 283 210 --interval {interval} --duration 12s --unpaced --record {{dir}}/x.ndjson");
+        let line =
+            format!("-a 1 monitor 283 210 --interval {interval} --duration 12s --unpaced --record {{dir}}/x.ndjson");
         let plot = antrieb(&line).on(TWICE).exits(0).then("plot {dir}/x.ndjson --measure").json().exits(0);
         let up = plot.data("/responses/0");
         assert!(up["end"].as_f64() > Some(19.0) && up["slope"].is_f64(), "{interval}: {up:#}");

@@ -96,7 +96,7 @@ fn in_the_way(failures: Vec<Failure>, so: &Text) -> Option<Failure> {
         1 => both!("{why}; {so}", "{why}; {so}", why, so),
         _ => both!(
             "{why}; {more} more in the way; {so}",
-            "{why}; {more} weitere stehen im Weg; {so}",
+            "{why}; außerdem im Weg: {more}; {so}",
             why,
             so,
             more = count - 1

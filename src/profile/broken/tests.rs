@@ -66,6 +66,11 @@ fn types_are_told_in_words() {
             "expected a whole number 0 to 255, got the number 300",
             "erwartet: eine ganze Zahl von 0 bis 255; dort steht die Zahl 300",
         ),
+        (
+            "whole = 2417851639229258349412351",
+            "got the number 2417851639229258349412351",
+            "dort steht die Zahl 2417851639229258349412351",
+        ),
         ("small = 1.5", "expected a whole number 0 to 255, got the number 1.5", "dort steht die Zahl 1.5"),
         (
             "is = 1",

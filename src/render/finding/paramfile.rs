@@ -79,31 +79,35 @@ impl Page {
         }
         let mut text = self.table(&["", ""], rows);
         let mut last = None;
+        let fails = differences.iter().any(|row| row.error.is_some());
+        let why = |row: &Difference| row.error.as_ref().map_or_else(String::new, |error| self.say(&error.message));
         let rows = differences.iter().map(|row| {
             let group = row.group.as_ref().filter(|_| last.replace(&row.group) != Some(&row.group));
-            vec![
+            let cells = vec![
                 group.map_or_else(String::new, |group| format!("@{group}")),
                 row.param.to_string(),
                 if row.data_set == 0 { String::new() } else { row.data_set.to_string() },
                 self.say(&row.name),
                 self.held(row.a_raw, row.a_value, row.a_text.as_ref()),
                 self.held(row.b_raw, row.b_value, row.b_text.as_ref()),
-                self.unit_or_why(row),
-            ]
+                self.unit(row),
+            ];
+            cells.into_iter().chain(fails.then(|| why(row))).collect()
         });
         let rows: Vec<_> = rows.collect();
         if !rows.is_empty() {
             text += "\n";
-            text += &self.table(&["group", ">param", "set", "name", ">a", ">b", "unit"], rows);
+            let head =
+                ["group", ">param", "set", "name", ">a", ">b", "unit"].into_iter().chain(fails.then_some("error"));
+            text += &self.table(&head.collect::<Vec<_>>(), rows);
         }
         text
     }
 
-    pub(super) fn unit_or_why(self, row: &Difference) -> String {
-        match &row.error {
-            Some(error) => self.say(&error.message),
-            None if row.a_value.is_none() && row.b_value.is_none() => self.word("raw").to_owned(),
-            None => row.unit.clone().unwrap_or_default(),
+    pub(super) fn unit(self, row: &Difference) -> String {
+        match row.error.is_none() && row.a_value.is_none() && row.b_value.is_none() {
+            true => self.word("raw").to_owned(),
+            false => row.unit.clone().unwrap_or_default(),
         }
     }
 

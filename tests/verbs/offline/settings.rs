@@ -202,6 +202,13 @@ fn the_name_of_a_drive_never_reads_as_an_address() {
             refused.err
         );
     }
+    // The line is that of the drive itself.
+    let second = "port = \"sim\"\n[drives.fan]\naddress = 2\n[drives.7]\naddress = 3\n";
+    let refused = antrieb("-a fan read 372").file("antrieb.toml", second).exits(7);
+    assert!(refused.err.contains("antrieb.toml:4:"), "{}", refused.err);
+    let bare = "port = \"sim\"\n[drives.Pumpe Nord]\naddress = 2\n";
+    let refused = antrieb("-a fan read 372").file("antrieb.toml", bare).exits(7);
+    assert!(refused.err.contains("antrieb.toml:2:") && refused.err.contains("in quotes"), "{}", refused.err);
     let pump2 = "port = \"sim\"\n[drives.\"2nd\"]\naddress = 2\n";
     assert_eq!(taken(antrieb("-a 2nd read 372").file("antrieb.toml", pump2)), strings(["acu", "2", "Rated Speed"]));
 }

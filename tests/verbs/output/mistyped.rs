@@ -34,6 +34,21 @@ fn a_word_before_the_verb_is_no_word_behind_it() {
     }
 }
 
+/// Who leaves out `dataset`, or calls one of its verbs otherwise, gets back the whole line that he meant.
+#[test]
+fn a_verb_within_dataset_is_led_to_with_all_that_was_typed() {
+    for (typed, meant) in [
+        ("save s.toml", "dataset save s.toml"),
+        ("diff 1 2", "dataset diff 1 2"),
+        ("undo s.undo.toml", "dataset undo s.undo.toml"),
+        ("dataset compare 1 2", "dataset diff 1 2"),
+        ("dataset restore s.toml", "dataset load s.toml"),
+        ("dataset sichern s.toml", "dataset save s.toml"),
+    ] {
+        told(&format!("-p sim -a 1 {typed}"), 2, &[&format!("`antrieb -p sim -a 1 {meant}")]);
+    }
+}
+
 #[test]
 fn several_ports_are_told_of_the_verbs_that_take_them() {
     told("-p sim -p sim read 480", 2, &["`scan`, `init`, `plan`, `apply`"]);

@@ -93,8 +93,11 @@ impl Page {
                 if row.data_set == 0 { String::new() } else { row.data_set.to_string() },
                 self.say(&row.name),
                 self.held(row.a_raw, row.a_value, row.a_text.as_ref()),
-                self.held(row.b_raw, row.b_value, row.b_text.as_ref()),
-                self.unit_or_why(row),
+                row.error.as_ref().map_or_else(
+                    || self.held(row.b_raw, row.b_value, row.b_text.as_ref()),
+                    |error| self.say(&error.message),
+                ),
+                self.unit(row),
             ]
         });
         if count > 0 {
