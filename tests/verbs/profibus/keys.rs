@@ -54,6 +54,9 @@ fn a_slave_that_is_lost_while_the_view_stays_ends_it() {
     let cut = module(RESTS, "", &event("30s", "cut = true"));
     let came = does(&format!("{RUN} --view"), &cut, Hand { buttons: &[(300, Button::Stop)], ..Hand::default() });
     assert_eq!(came.code().1, 4, "{:?}", came.failure());
+    // It was seen to stand, and what it does now is not known.
+    assert_eq!((came.stop().acknowledged, came.motion().standing), (true, Some(true)));
+    assert!(came.motion().to.is_none() && came.motion().running.is_none());
     came.holds("lost behind its stop");
 }
 
