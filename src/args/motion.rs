@@ -60,6 +60,7 @@ pub struct MotionArgs {
     /// Like --view: runs only while a key is held
     ///
     /// Enter or an arrow. Who lets go stops it, within 0.3 s, and a tap within 0.8 s: keyboards wait so long before they repeat.
+    /// Stopped it stays so, and the view stays until q; no key starts it again.
     #[arg(long, hide_short_help = true, help_heading = "Run")]
     pub dead_man: bool,
 }

@@ -237,24 +237,28 @@ impl Panel {
     }
 }
 
-/// How long the view of a run stays behind its end.
+/// How long the view of a run stays behind its end. None but the last closes while a key repeats: what is still pressed would be
+/// typed into the shell, where an arrow and Enter run the same line again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stays {
+    /// Until no key repeats any more.
+    UntilQuiet,
+    /// A minute as well, unless somebody leaves: long enough for a diagnosis.
+    AWhile,
     /// Until somebody leaves.
     UntilLeft,
-    /// Until somebody leaves, a minute at most: long enough for a diagnosis.
-    AWhile,
-    /// Until no key repeats any more: what is still pressed would be typed into the shell, where an arrow and Enter run the same
-    /// line again.
-    UntilQuiet,
 }
 
+/// So long nobody has pressed anything who holds no key.
+const QUIET: Span = Span::from_millis(1_200);
+
 impl Stays {
-    fn most(self) -> Option<Span> {
+    /// `None`: for ever.
+    fn least(self) -> Option<Span> {
         match self {
-            Stays::UntilLeft => None,
+            Stays::UntilQuiet => Some(Span::ZERO),
             Stays::AWhile => Some(Span::from_secs(60)),
-            Stays::UntilQuiet => Some(Span::from_millis(1_200)),
+            Stays::UntilLeft => None,
         }
     }
 }
@@ -273,22 +277,24 @@ pub(super) struct Lingering {
     panel: Panel,
     stays: Stays,
     since: Tick,
-    presses: u64,
+    /// When a key was seen last, and how many until then.
+    pressed: (Tick, u64),
 }
 
 impl Lingering {
     /// From now on.
     pub(super) fn new(panel: Panel, stays: Stays, now: Tick) -> Self {
-        let presses = panel.presses();
-        Lingering { panel, stays, since: now, presses }
+        let pressed = (now, panel.presses());
+        Lingering { panel, stays, since: now, pressed }
     }
 
     /// Whether somebody still looks, and it has not stayed long enough.
     pub(super) fn goes_on(&mut self, now: Tick) -> bool {
-        if self.stays == Stays::UntilQuiet && self.presses != self.panel.presses() {
-            (self.since, self.presses) = (now, self.panel.presses());
+        if self.pressed.1 != self.panel.presses() {
+            self.pressed = (now, self.panel.presses());
         }
-        !self.panel.is_left() && self.stays.most().is_none_or(|most| now.since(self.since) < most)
+        let has_stayed = self.stays.least().is_some_and(|least| now.since(self.since) >= least);
+        !self.panel.is_left() && !(has_stayed && now.since(self.pressed.0) >= QUIET)
     }
 }
 
@@ -380,6 +386,28 @@ mod tests {
         let mut keypad = Keypad::default();
         keypad.press(Button::Hold, at(0));
         assert_eq!((keypad.due(), keypad.look(at(1_000_000))), (None, false));
+    }
+
+    /// A key that is held on where the view closes goes to the shell.
+    #[test]
+    fn no_view_closes_by_itself_while_a_key_repeats() {
+        for (stays, least) in [(Stays::UntilQuiet, 1_200), (Stays::AWhile, 60_000), (Stays::UntilLeft, u64::MAX)] {
+            for held in [0, 5_000, 90_000] {
+                let panel = Panel::default();
+                panel.watch(true);
+                let mut view = Lingering::new(panel.clone(), stays, at(0));
+                let closes = (0..200_000).step_by(50).find(|ms| {
+                    if *ms < held {
+                        panel.press(Button::Hold, at(*ms));
+                    }
+                    !view.goes_on(at(*ms))
+                });
+                let quiet = held.saturating_sub(50) + 1_200;
+                assert_eq!(closes, Some(least.max(quiet)).filter(|ms| *ms < 200_000), "{stays:?} {held}");
+                panel.press(Button::End, at(200_000));
+                assert!(!view.goes_on(at(200_000)), "{stays:?}");
+            }
+        }
     }
 
     #[test]

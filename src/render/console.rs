@@ -22,16 +22,21 @@ const HINT: &Text = &Text::new("hint", "Hinweis");
 /// Where answers are typed.
 pub type Input = Box<dyn BufRead + Send>;
 
-/// What was typed at the terminal and nobody has read yet is gone; where stdin is none, or that of somebody else's job, nothing is.
+/// What was typed at the terminal and nobody has read yet is gone, that of this process as well where stdin is another one or none:
+/// whoever reads there next would take it. At a terminal that is in the hands of somebody else's job, nothing is.
 pub fn forget_what_was_typed() {
     #[cfg(unix)]
     {
         use rustix::termios::{QueueSelector, tcflush, tcgetpgrp};
+        let ours = rustix::process::getpgrp();
         let stdin = rustix::stdio::stdin();
-        if tcgetpgrp(stdin).is_ok_and(|group| group != rustix::process::getpgrp()) {
-            return;
+        if tcgetpgrp(stdin).map_or(true, |group| group == ours) {
+            let _gone = tcflush(stdin, QueueSelector::IFlush);
         }
-        let _gone = tcflush(stdin, QueueSelector::IFlush);
+        let own = std::fs::File::open("/dev/tty").ok();
+        if let Some(own) = own.filter(|own| tcgetpgrp(own).is_ok_and(|group| group == ours)) {
+            let _gone = tcflush(&own, QueueSelector::IFlush);
+        }
     }
 }
 

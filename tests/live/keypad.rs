@@ -69,6 +69,29 @@ fn what_is_typed_into_the_line_of_a_run_is_shown_to_nobody_and_left_to_nobody() 
     assert_eq!(rustix::io::ioctl_fionread(&behind).unwrap(), 0, "nothing waits for a shell");
 }
 
+/// The terminal of a run is that of its script or shell, wherever stdin comes from; that of a job in the background is somebody else's.
+#[test]
+fn what_is_typed_into_a_run_is_left_to_nobody_wherever_its_stdin_is() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    let run = format!("$antrieb -q -p {port} -a 1 --yes sollwert 5Hz --enable --hold --duration 3s");
+    let then = "echo over $?; read -r word; echo left:$word:";
+    for (script, left) in [
+        (format!("{run} </dev/null; {then}"), "left:clean:"),
+        (format!("echo | {run} | cat; {then}"), "left:clean:"),
+        (format!("set -m; {run} </dev/null & wait $!; {then}"), "left:xyzzy:"),
+    ] {
+        let Some(mut shell) = AtTerminal::script(&format!("echo begins; {script}")) else { return };
+        shell.shows("begins");
+        thread::sleep(Duration::from_millis(1_500));
+        shell.types("xyzzy\n");
+        shell.shows("over 0");
+        shell.types("clean\n");
+        shell.shows(left);
+        assert_eq!(shell.ends(), Some(0), "{script}: {}", shell.seen);
+    }
+}
+
 #[test]
 fn a_profile_is_led_in_the_view_and_its_keys_work_at_its_end() {
     let _alone = alone();
@@ -188,6 +211,16 @@ fn a_dead_man_who_lets_go_stops_the_run() {
         thread::sleep(Duration::from_millis(40));
     }
     run.shows("held");
+    run.draws("the run is over");
+    // Who takes hold again, or has not noticed, starts nothing, and types nothing into the shell.
+    for wait in [0, 2_000] {
+        thread::sleep(Duration::from_millis(wait));
+        run.types("\u{1b}[A\r \r");
+    }
+    thread::sleep(Duration::from_secs(2));
+    assert!(!run.is_cooked(), "the view stays until somebody leaves");
+    run.draws("q ends");
+    run.types("q");
     assert_eq!(run.ends(), Some(0), "{}", run.seen);
     run.shows("ramp (dead-man), acknowledged");
     assert!(run.is_cooked());

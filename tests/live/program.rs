@@ -149,6 +149,20 @@ impl AtTerminal {
         Self::of(child, keyboard)
     }
 
+    /// In a shell script at a terminal of its own, where `$antrieb` is the program; `None` where nobody gives a shell one.
+    pub(crate) fn script(text: &str) -> Option<Self> {
+        let (keyboard, slave) = terminal();
+        let program = concat!(env!("CARGO_BIN_EXE_antrieb"), " --no-config --lang en");
+        let mut command = Command::new("setsid");
+        command
+            .args(["--ctty", "sh", "-c", text])
+            .env("antrieb", program)
+            .stdin(Stdio::from(slave.try_clone().unwrap()));
+        let child = command.stdout(Stdio::from(slave.try_clone().unwrap())).stderr(Stdio::from(slave)).spawn();
+        drop(command);
+        child.ok().map(|child| Self::of(child, keyboard))
+    }
+
     fn of(child: Child, keyboard: File) -> Self {
         let deaf = Arc::<AtomicBool>::default();
         let screen = chunks(Until { terminal: keyboard.try_clone().unwrap(), deaf: deaf.clone() });

@@ -32,7 +32,9 @@ pub(super) fn report(
     ending: Ending,
 ) -> Outcome {
     let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
-    let Ending { is_dark, standing, coasted, changed, seen, notes, failure: left, .. } = ending;
+    let Ending { is_dark, standing, coasted, changed, seen, is_lost, notes, failure: left, .. } = ending;
+    // What it does now nobody knows whom it does not answer any more.
+    let now = seen.filter(|_| !is_lost);
     let because = match &done {
         Ok(()) if told.by == Some(EndedBy::Key) => "key",
         Ok(()) if told.by.is_some() => "dead-man",
@@ -60,7 +62,7 @@ pub(super) fn report(
         because,
         acknowledged: is_dark,
         standing,
-        state: seen.and_then(state),
+        state: now.and_then(state),
         note: (is_dark && has_turned && standing.is_none()).then(off),
     };
     let data = Motion {
@@ -69,14 +71,15 @@ pub(super) fn report(
         action: job.word.to_owned(),
         mode: is_run.then(|| "frequency".to_owned()),
         from: told.from.and_then(state),
-        to: seen.and_then(state),
+        to: now.and_then(state),
         steps: told.run.steps.clone(),
-        setpoint: setpoint(job, &told.run, seen),
+        setpoint: setpoint(job, &told.run, seen)
+            .map(|told| Setpoint { actual: told.actual.filter(|_| !is_lost), ..told }),
         changed,
         watchdog_s: None,
         stop: Some(stop),
         // What never was started, and was never seen to turn, does not run by what a line that went dead left open.
-        running: seen.map(|_| !is_dark).filter(|running| !running || has_turned || told.run.reached.is_some()),
+        running: now.map(|_| !is_dark).filter(|running| !running || has_turned || told.run.reached.is_some()),
         standing,
         idle: !has_turned,
         notes: told.parting.into_iter().chain(notes).collect(),

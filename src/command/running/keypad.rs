@@ -81,14 +81,14 @@ pub(in crate::command) fn hold_a_key() -> Text {
     both!("hold Enter or an arrow: it runs only as long", "Enter oder einen Pfeil halten: nur so lange läuft er")
 }
 
-/// How long the view of a run stays behind its end; `None` where nobody looks any more, or nothing was held.
+/// How long the view of a run stays behind its end; `None` where nobody looks any more, or nothing was held nor pressed.
 pub(in crate::command) fn stays(panel: &Panel, is_well: bool, was_held: bool) -> Option<Stays> {
     let stays = match panel.ended() {
-        Some(EndedBy::Key) => Stays::UntilLeft,
-        None if was_held && is_well => Stays::UntilQuiet,
-        None if was_held => Stays::AWhile,
-        // Who lets go of the dead man's key has left.
-        _ => return None,
+        Some(EndedBy::Key | EndedBy::DeadMan) => Stays::UntilLeft,
+        None if was_held && !is_well => Stays::AWhile,
+        // The key of a dead man whose start was refused is still held.
+        None if was_held || panel.presses() > 0 => Stays::UntilQuiet,
+        None => return None,
     };
     (!panel.is_left()).then_some(stays)
 }
@@ -112,6 +112,8 @@ pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan
     let stands = ended.stop.as_ref().is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
     let told = last_told(stands);
     let told = match &ended.result {
+        // Nothing was started that could turn.
+        Err(failure) if !was_held && ended.stop.is_none() => failure.told(),
         Err(failure) if !is_interrupted => Text::join([&failure.told(), &told], "; "),
         _ => told,
     };

@@ -43,6 +43,8 @@ pub struct Ending {
     pub changed: Vec<Change>,
     /// What came under the stop word last.
     pub seen: Option<Seen>,
+    /// Nothing has come since: what the motor does now is not known.
+    pub is_lost: bool,
     /// What is to be known of it besides.
     pub notes: Vec<Text>,
     /// Why it is no good end.
@@ -89,7 +91,8 @@ impl Exchange<'_, '_> {
         let released = self.release(stopped.is_ok()).await;
         // Whoever was started as he was let go, and did not stop again, turns.
         let is_dark = [&stopped, &released].iter().all(|done| !is_turning(done)) && stopped.is_ok();
-        let standing = self.still.standing().filter(|stands| is_dark || !stands);
+        let is_lost = self.is_lost;
+        let standing = self.still.standing().filter(|stands| if *stands { is_dark } else { !is_lost });
         Ending {
             is_dark: is_dark && seen.is_some(),
             standing,
@@ -97,6 +100,7 @@ impl Exchange<'_, '_> {
             has_turned: self.still.has_turned(),
             changed: self.lent.iter().map(changed).collect(),
             seen,
+            is_lost,
             notes: std::mem::take(&mut self.notes),
             failure: stopped.and(returned).and(released).err(),
         }

@@ -73,6 +73,8 @@ pub struct Exchange<'l, 'a> {
     pub(super) mapped: Vec<u16>,
     pub(super) still: Still,
     heard: Tick,
+    /// Nothing has come since what came last: that may be so no more.
+    pub(super) is_lost: bool,
     /// So long nothing may be heard of it.
     unheard: Span,
     /// Nor before this moment is it given up: its end has begun.
@@ -127,6 +129,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             mapped: Vec::new(),
             still: Still::new(mode.slow()),
             heard: now,
+            is_lost: false,
             unheard: watchdog + BEYOND,
             at_least: now,
             ends: None,
@@ -171,7 +174,12 @@ impl<'l, 'a> Exchange<'l, 'a> {
     /// One exchange on the line.
     pub(super) async fn cycle(&mut self) -> Result<Cycle, Failure> {
         loop {
-            match self.once().await {
+            let done = self.once().await;
+            match &done {
+                Ok(_) => self.is_lost = false,
+                Err(failure) => self.is_lost |= failure.class != Class::Interrupted,
+            }
+            match done {
                 Err(failure) if self.bears(&failure) => {}
                 done => return done,
             }

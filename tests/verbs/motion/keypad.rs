@@ -292,21 +292,30 @@ fn a_panic_while_the_view_is_on_stops_the_shaft_and_is_told() {
     }
 }
 
+/// Its key, pressed anew or held on, starts nothing, nor does it close the view: it would go to the shell.
 #[test]
-fn who_lets_go_is_obeyed_at_once_and_a_later_key_starts_nothing() {
-    let mut released = None;
-    let seen = run(DRIVES[1], "--dead-man", &mut |telegram, at, hand| {
-        if telegram < 150 {
-            hand.button(Button::Hold, at);
-            released = Some(at);
-        } else if telegram > 170 {
+fn who_lets_go_is_obeyed_at_once_and_a_later_key_starts_nothing_and_leaves_the_view_open() {
+    for drive in DRIVES {
+        let (mut ended, mut let_go) = (0, Tick::ZERO);
+        let seen = run(drive, "--dead-man", &mut |telegram, at, hand| match telegram {
+            ..150 => {
+                hand.button(Button::Hold, at);
+                let_go = at;
+            }
             // The stop is under way.
-            hand.button(Button::Hold, at);
-        }
-    });
-    assert_eq!((seen.stop(), seen.turning()), (("dead-man", None, None), 0), "{:?}", seen.failure);
-    let phases: Vec<&str> = seen.news.iter().map(|news| news.phase).collect();
-    assert_eq!(phases.iter().filter(|phase| **phase == "held").count(), 1, "{phases:?}");
+            170..600 => hand.button(Button::Hold, at),
+            // Long over, and nobody has pressed anything for a while.
+            _ if at.since(let_go) > Span::from_secs(90) && telegram > 600 => {
+                ended = telegram;
+                hand.button(Button::End, at);
+            }
+            _ => {}
+        });
+        assert_eq!((seen.stop(), seen.turning()), (("dead-man", None, None), 0), "{}: {:?}", drive.0, seen.failure);
+        let phases: Vec<&str> = seen.news.iter().map(|news| news.phase).collect();
+        assert_eq!(phases.iter().filter(|phase| **phase == "held").count(), 1, "{phases:?}");
+        assert!(ended > 600 && phases.last() == Some(&"ended"), "{}: {phases:?}", drive.0);
+    }
 }
 
 #[test]

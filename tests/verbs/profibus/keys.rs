@@ -54,6 +54,9 @@ fn a_slave_that_is_lost_while_the_view_stays_ends_it() {
     let cut = module(RESTS, "", &event("30s", "cut = true"));
     let came = does(&format!("{RUN} --view"), &cut, Hand { buttons: &[(300, Button::Stop)], ..Hand::default() });
     assert_eq!(came.code().1, 4, "{:?}", came.failure());
+    // It was seen to stand, and what it does now is not known.
+    assert_eq!((came.stop().acknowledged, came.motion().standing), (true, Some(true)));
+    assert!(came.motion().to.is_none() && came.motion().running.is_none());
     came.holds("lost behind its stop");
 }
 
@@ -83,17 +86,27 @@ fn a_trip_in_a_held_run_is_a_record() {
     }
 }
 
+/// The view stays behind its stop, whoever holds the key on or presses it anew: elsewhere that would go to the shell.
 #[test]
-fn a_dead_man_runs_it_only_as_long_as_a_key_is_held() {
+fn a_dead_man_runs_it_only_as_long_as_a_key_is_held_and_its_view_stays() {
     // Repeats come faster than 300 ms: a telegram takes some 27 ms.
-    let repeats: Vec<_> = (200..400).step_by(8).map(|telegram| (telegram, Button::Hold)).collect();
-    let came = held("--dead-man", &repeats);
-    assert_eq!(came.code(), ("", 0), "{:?}", came.failure());
-    assert_eq!((came.stop().because, came.stop().standing), ("dead-man", Some(true)));
-    assert!(came.first(0x047F) > 200, "it waits for the key");
-    came.holds("let go");
-    let stop = came.words().iter().rposition(|word| *word == 0x047E);
-    assert!(stop.is_some());
+    let held_for = |telegrams: std::ops::Range<usize>| telegrams.step_by(8).map(|telegram| (telegram, Button::Hold));
+    for mode in ["", "--mode basic"] {
+        let run = if mode.is_empty() { RUN.to_owned() } else { RUN.replace(" --take-control", "") };
+        let mut buttons: Vec<_> = held_for(200..400).chain(held_for(420..900)).collect();
+        buttons.push((1_600, Button::End));
+        let hand = Hand { buttons: &buttons, ..Hand::default() };
+        let came = does(&format!("{run} --dead-man {mode}"), &module(RESTS, "", ""), hand);
+        assert_eq!(came.code(), ("", 0), "{mode}: {:?}", came.failure());
+        assert_eq!((came.stop().because, came.stop().standing), ("dead-man", Some(true)), "{mode}");
+        let (starts, stops) = if mode.is_empty() { (0x047F, 0x047E) } else { (0x0051, 0x0050) };
+        assert!(came.first(starts) > 200, "{mode}: it waits for the key");
+        assert!(came.sent.len() > 1_600 && came.is_given_back(), "{mode}: {}", came.sent.len());
+        let words = came.words();
+        assert_eq!(words.iter().filter(|word| **word == starts).count(), 1, "{mode}: {words:04X?}");
+        assert!(words.contains(&stops), "{mode}: {words:04X?}");
+        came.holds("let go");
+    }
 }
 
 #[test]

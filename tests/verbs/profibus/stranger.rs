@@ -103,8 +103,23 @@ fn a_line_that_goes_dead_at_a_question_leaves_nothing_running() {
     assert!(!came.failure().unwrap().alarm);
     // One that was started may run.
     let came = does(RUN, &module(RESTS, "", &event("5s", "cut = true")), Hand::default());
-    assert_eq!(came.motion().running, Some(true), "{:?}", came.failure());
+    assert_eq!(came.motion().running, None, "{:?}", came.failure());
     assert!(came.failure().unwrap().alarm);
+}
+
+/// What a slave told before it fell silent is not told as what it does now; as with an ACTIVE that is lost.
+#[test]
+fn what_a_slave_that_is_lost_does_is_not_known() {
+    for run in [RUN.to_owned(), RUN.replace("--take-control", "--mode basic")] {
+        let came = does(&run, &module(RESTS, "", &event("6s", "cut = true")), Hand::default());
+        let (motion, stop) = (came.motion(), came.stop());
+        assert!(motion.from.is_some() && motion.setpoint.is_some() && !motion.idle, "{run}: {:?}", came.failure());
+        assert!(motion.to.is_none() && stop.state.is_none(), "{run}: {:?}", motion.to);
+        assert_eq!((motion.running, motion.standing), (None, None), "{run}");
+        assert_eq!((stop.acknowledged, stop.standing), (false, None), "{run}");
+        assert!(motion.setpoint.as_ref().is_some_and(|told| told.actual.is_none()), "{run}");
+        assert!(came.failure().unwrap().told().en.starts_with("THE SHAFT MAY STILL TURN"), "{run}");
+    }
 }
 
 #[test]
