@@ -410,3 +410,23 @@ fn state_name(family: Option<&Family>, slug: &str, printed: &str) -> Text {
 fn fault_word() -> Text {
     both!("fault", "Störung")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A question that nobody answers takes its time: the state is known up to the last answer before it, and no longer.
+    #[test]
+    fn the_band_of_a_state_ends_before_a_gap() {
+        let rows = [(9.0, "operation-enabled", ""), (9.7, "operation-enabled", ""), (11.6, "", "silence.no_reply")];
+        let rows = rows.into_iter().chain([(13.2, "operation-enabled", ""), (14.0, "operation-enabled", "")]);
+        let rows = rows.map(|(t, state, error)| format!("{t},0,1,act,{state},{error}\n"));
+        let directory = tempfile::tempdir().unwrap();
+        let file = directory.path().join("record.csv");
+        std::fs::write(&file, "t,n,address,drive,state,error\n".to_owned() + &rows.collect::<String>()).unwrap();
+        let tracks = read(&file, &Registry::open(&[]).unwrap()).unwrap();
+        let track = tracks.values().next().unwrap();
+        let bands: Vec<_> = track.states().iter().map(|band| (band.from, band.to)).collect();
+        assert_eq!((bands, track.gaps()), (vec![(9.0, 9.7), (13.2, 14.0)], vec![(9.7, 13.2)]));
+    }
+}
