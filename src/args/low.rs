@@ -141,12 +141,21 @@ impl<'a> Low<'a> {
             Some((drive, node)) => (drive, parse_node(drive, node)?),
             None => (text.as_str(), 0),
         };
-        parse_addresses(drive, &self.names()).map(|list| (Addresses::Named(list), node))
+        self.parsed(drive).map(|list| (Addresses::Named(list), node))
     }
 
     /// Whether the drive with node 0 was typed, and no drive that has this name.
     pub(super) fn means_master(&self) -> bool {
         self.flags.address.as_deref().is_some_and(|text| is_master(text) && self.drive(text).is_none())
+    }
+
+    /// A list of addresses; of what is none it is said what would be.
+    fn parsed(&self, text: &str) -> Result<Vec<u8>, Failure> {
+        let is_group = || self.files.iter().any(|(_, file)| file.groups.contains_key(text));
+        parse_addresses(text, &self.names()).map_err(|failure| match is_group() {
+            true => failure.hint(both!("the group is `-a {GROUP}{text}`", "die Gruppe ist `-a {GROUP}{text}`")),
+            false => failure,
+        })
     }
 
     /// The names of all drives that the files know.
@@ -180,7 +189,7 @@ impl<'a> Low<'a> {
         let mut line: Option<(Origin, NamedDrive)> = None;
         for part in &parts {
             let Some(address) = self.call(part) else {
-                list.extend(parse_addresses(part, &self.names())?);
+                list.extend(self.parsed(part)?);
                 continue;
             };
             list.push(address);

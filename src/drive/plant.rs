@@ -254,6 +254,10 @@ impl Member<'_> {
 
     /// Writes what is planned; why it did not end well.
     async fn apply(&mut self, session: &mut Session<'_>, permit: &Permit<Writing>) -> Result<Vec<Failure>, Failure> {
+        if self.found.is_some() {
+            // While the question stood another drive may have come to its address.
+            self.identify(session).await?;
+        }
         let Some(Found { plan, head }) = &mut self.found else { return Ok(Vec::new()) };
         let undo_file = self.undo.leave(head, plan).map_err(|failure| failure.hint(self.elsewhere.clone()))?;
         let applied = transaction::apply(session, plan, &self.terms, permit, &undo_file).await;

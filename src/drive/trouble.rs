@@ -69,11 +69,14 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
     };
     let stands = match refusal.taken {
         Some(true) => both!(
-            "; read back, the new value stands there all the same",
-            "; zurückgelesen steht der neue Wert trotzdem dort"
+            "; read back, what was written stands there all the same",
+            "; zurückgelesen steht das Geschriebene trotzdem dort"
         ),
         Some(false) => {
-            both!("; read back, the new value does not stand there", "; zurückgelesen steht der neue Wert nicht dort")
+            both!(
+                "; read back, what was written does not stand there",
+                "; zurückgelesen steht das Geschriebene nicht dort"
+            )
         }
         None => Text::default(),
     };

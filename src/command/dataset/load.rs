@@ -8,7 +8,7 @@ use crate::args::Settings;
 use crate::command::again::word;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
 use crate::drive::paramfile::head;
-use crate::drive::transaction::{self, Applied, Plan, UndoPlace, fits};
+use crate::drive::transaction::{self, Applied, Plan, UndoFile, UndoPlace, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
@@ -78,7 +78,7 @@ async fn load_into(
     if context.settings.dry_run {
         return dry_run(context, report, &family, &steps, fits);
     }
-    let place = args.undo_place();
+    let place = args.undo_place()?;
     place.check_typed().map_err(unbegun)?;
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
@@ -104,6 +104,9 @@ async fn load_into(
         }
         Err(denied) => return not_agreed(denied, *ask, report, plan),
     };
+    if let Err(other) = same_family(&mut session, &terms, address, (&family, &file.family_at, settings.force)).await {
+        return Ok(another_by_now(report, plan, other));
+    }
     let left = place.leave(&head, &plan).map_err(unbegun)?;
     let done = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
     let path = left.path().to_owned();
@@ -114,12 +117,25 @@ async fn load_into(
 
 impl LoadArgs {
     /// Where somebody said, or beside the first file.
-    fn undo_place(&self) -> UndoPlace {
+    fn undo_place(&self) -> Result<UndoPlace, Failure> {
         match (&self.undo_file, self.files.first()) {
-            (Some(path), _) => UndoPlace::Named(path.clone()),
-            (None, file) => UndoPlace::Beside(file.cloned().unwrap_or_default()),
+            (Some(path), _) => Ok(UndoPlace::Named(path.clone())),
+            // `/dev/stdin`, though it be a file: beside it nothing stays.
+            (None, Some(file)) if ["/dev", "/proc"].iter().any(|folder| file.starts_with(folder)) => {
+                Err(no_place(file))
+            }
+            (None, file) => Ok(UndoPlace::Beside(file.cloned().unwrap_or_default())),
         }
     }
+}
+
+fn no_place(file: &Path) -> Failure {
+    let message = both!(
+        "the undo file of {file} has no place beside it: expected --undo-file",
+        "die Datei zum Zurücknehmen hat neben {file} keinen Platz: erwartet wird --undo-file",
+        file = file.display()
+    );
+    Failure::new(Class::Usage, "usage.undo_file", message)
 }
 
 fn elsewhere(failure: Failure) -> Failure {
@@ -137,7 +153,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let address = only_one(&addresses_to_write(context.settings)?)?;
     let opened = Opened::read(&args.file, context.registry, context.settings.named_drive())?;
     let Opened { file, family, .. } = opened;
-    let mut back = transaction::way_back(&file, &family)?;
+    let (left, mut back) = UndoFile::read(&args.file, &file, &family)?;
     same_address(&file, (address, context.settings.node), context.settings.force)?;
     let mut report = blank(address, &family.drive, vec![args.file.display().to_string()], Vec::new());
     if context.settings.dry_run {
@@ -171,13 +187,27 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let permit = permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await;
     plan.notes.truncate(told);
     let undone = match permit {
-        Ok(Some(permit)) => transaction::undo(&mut session, &mut plan, &permit).await,
+        Ok(Some(permit)) => {
+            let of = (&family, &file.family_at, settings.force);
+            if let Err(other) = same_family(&mut session, &terms, address, of).await {
+                return Ok(another_by_now(report, plan, other));
+            }
+            transaction::undo(&mut session, &mut plan, &permit, &left).await
+        }
         Ok(None) => Applied::default(),
         Err(denied) => return not_agreed(denied, *ask, report, plan),
     };
-    let mut outcome = undone_outcome(report, plan, theirs, undone);
+    let mut outcome = undone_outcome(report, plan, theirs, (undone, &args.file));
     outcome.warnings.splice(0..0, warning);
     Ok(outcome)
+}
+
+/// While the question stood, another drive has come to the address, or the drive is gone.
+fn another_by_now(mut report: Load, mut plan: Plan, why: Failure) -> Outcome {
+    plan.failures = vec![why];
+    let failure = forbidden(&mut plan, &nothing_written());
+    report.ended = Some(LoadEnd::Untouched);
+    whole(report, plan, Vec::new(), failure).into()
 }
 
 /// Ports get other names, and lines have drives of equal family and address: only the user knows which it is.

@@ -365,8 +365,13 @@ fn partial(first: Failure, code: &str, message: Text, hint: Text) -> Failure {
     Failure { class: Class::Partial, code: code.to_owned(), message, ..first }.hint(hint)
 }
 
-/// How taking a load back ended: `theirs` is what was left as it is.
-pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>, undone: Applied) -> Outcome {
+/// How taking a load back by this file ended: `theirs` is what was left as it is.
+pub(super) fn undone_outcome(
+    mut report: Load,
+    plan: Plan,
+    theirs: Vec<Failure>,
+    (undone, file): (Applied, &Path),
+) -> Outcome {
     let notes = plan.notes.iter().cloned();
     let mut warnings: Vec<Warning> =
         notes.map(|message| Warning { code: "load.in_force".to_owned(), message }).collect();
@@ -383,20 +388,31 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
             Failure { class: Class::Partial, message: stored(&first.message, count), ..first }
         }
         false => {
-            let message = unlike(&first.message, named);
-            Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first }
+            let (message, is_refused) = (unlike(&first.message, named), first.class == Class::Refused);
+            let failure = Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first };
+            if is_refused { failure.hint(once_more(file)) } else { failure }
         }
     });
     warnings.extend(failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.told() }));
     whole(report, plan, warnings, failure).into()
 }
 
-/// Why not everything is as it was.
-pub(in crate::command) fn not_all_back(failures: Vec<Failure>) -> Option<Failure> {
+/// What brings back what a drive has refused to take back.
+fn once_more(file: &Path) -> Text {
+    both!(
+        "the file keeps what did not come back: `antrieb dataset undo {file}` once more, when the drive takes values again",
+        "die Datei behält, was nicht zurückkam: `antrieb dataset undo {file}` noch einmal, wenn der Antrieb wieder Werte annimmt",
+        file = word(&file.display().to_string())
+    )
+}
+
+/// Why not everything is as it was, and the file that takes it back later.
+pub(in crate::command) fn not_all_back(failures: Vec<Failure>, file: &Path) -> Option<Failure> {
     let count = places(failures.iter());
     let first = failures.into_iter().next()?;
     let message = unlike(&first.message, count);
-    Some(Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first })
+    let failure = Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first };
+    Some(failure.hint(once_more(file)))
 }
 
 fn unchanged(failure: Failure) -> Failure {

@@ -91,7 +91,8 @@ fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
         LoadEnd::Back => PlantState::Back,
         LoadEnd::Torn => PlantState::Torn,
     };
-    let mut told = loaded::applied(load, plan, applied, &undo_file.unwrap_or_default());
+    let undo_file = undo_file.unwrap_or_default();
+    let mut told = loaded::applied(load, plan, applied, &undo_file);
     match taken_back {
         None => (state, told),
         Some(back) if back.is_empty() => {
@@ -103,7 +104,7 @@ fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
         Some(back) => {
             told.load.ended = Some(LoadEnd::Torn);
             told.load.closing = None;
-            told.failure = loaded::not_all_back(back);
+            told.failure = loaded::not_all_back(back, &undo_file);
             (PlantState::Torn, told)
         }
     }

@@ -50,7 +50,7 @@ pub(super) async fn put_back(
     let order = back_order(plan);
     match nobody {
         true => order.iter().filter_map(|kept| told(plan, kept, Err(unseen(kept)))).collect(),
-        false => restore_all(session, plan, &order, permit, way).await.kept_in(left),
+        false => restore_all(session, plan, &order, (permit, left), way).await.failures,
     }
 }
 
@@ -59,8 +59,6 @@ pub(super) async fn put_back(
 struct Way {
     /// A failure for each value that did not come back.
     failures: Vec<Failure>,
-    /// What the drive did not take back into its EEPROM.
-    unproven: Vec<Kept>,
     /// Something was written.
     is_begun: bool,
     /// Why the session is over.
@@ -77,12 +75,6 @@ impl Way {
     /// Whether asking for more is in vain.
     fn is_lost(&self) -> bool {
         self.over.is_some() || self.is_gone
-    }
-
-    /// The failures, once the undo file says what the drive did not take back.
-    fn kept_in(self, left: &UndoFile) -> Vec<Failure> {
-        let kept = left.keep_unproven(&self.unproven);
-        self.failures.into_iter().chain(kept.err()).collect()
     }
 
     fn note(&mut self, failure: Option<&Failure>) {
@@ -137,14 +129,17 @@ fn is_unheard(failure: &Failure) -> bool {
 }
 
 /// Brings these values back in this order, and looks at all of them once more at the end: only what that look has seen is said
-/// to be as before.
+/// to be as before. Meanwhile the undo file names all of them as unproven, and at the end what did not come back.
 async fn restore_all(
     session: &mut Session<'_>,
     plan: &mut Plan,
     order: &[Kept],
-    permit: &Permit<Writing>,
+    (permit, file): (&Permit<Writing>, &UndoFile),
     mut way: Way,
 ) -> Way {
+    let mut unproven: Vec<Kept> = order.iter().filter(|kept| plan.may_come_back_in_ram_alone(kept)).cloned().collect();
+    // Where the file cannot be written the values go back all the same.
+    let _ = file.keep_unproven(&unproven);
     let (mut back, mut torn) = (Vec::new(), Vec::new());
     for (done, kept) in (0..).zip(order) {
         session.tell(progress(Doing::PutsBack, done, order.len(), &kept.param));
@@ -171,14 +166,17 @@ async fn restore_all(
             Ok(Came::Stood | Came::Back) => back.push(kept.clone()),
             Err(failure) if failure.code == THEIRS => {}
             Err(failure) => {
-                let is_refused = failure.class == Class::Refused || failure.code == NOT_PUT_BACK;
-                way.unproven.extend((is_refused && !in_ram).then(|| kept.clone()));
+                // What is stored as before was not written.
+                unproven.retain(|open| failure.code != NOT_SHOWN || !open.is_at(kept));
                 torn.push(kept);
             }
         }
         way.failures.extend(told(plan, kept, result));
     }
     let seen = look_back(session, plan, &back, &mut way).await;
+    let is_back = |kept: &Kept| back.iter().zip(&seen).any(|(back, seen)| back.is_at(kept) && seen.is_ok());
+    unproven.retain(|kept| !is_back(kept));
+    way.failures.extend(file.keep_unproven(&unproven).err().filter(|_| !unproven.is_empty()));
     let wrong = back.iter().zip(seen).filter_map(|(kept, seen)| told(plan, kept, Err(seen.err()?)));
     way.failures.extend(wrong);
     way
@@ -298,7 +296,7 @@ async fn restore(
             }
         }
     }
-    let is_blind = plan.blind.iter().any(|blind| (blind.param.id, blind.set) == (kept.param.id, kept.set));
+    let is_blind = plan.blind.iter().any(|blind| blind.is_at(kept));
     match stays {
         Some(failure) => Err(failure),
         None if is_blind && came == Came::Stood => Err(unshown(kept)),
@@ -307,6 +305,16 @@ async fn restore(
 }
 
 impl Plan {
+    /// Whether this value, of what is stored, may be written: a drive that may tell its RAM as stored would hide from a later look that its
+    /// EEPROM did not take it.
+    fn may_come_back_in_ram_alone(&self, kept: &Kept) -> bool {
+        let is_equal = |(step, row): (&Step, &Written)| {
+            row.result == WriteResult::Unchanged && (step.param.id, step.set) == (kept.param.id, kept.set)
+        };
+        let stays = self.altering().next().is_none() && self.job.steps.iter().zip(&self.job.rows).any(is_equal);
+        !self.tells_apart && kept.set < DataSets::RAM_OFFSET && !stays
+    }
+
     /// Whether a drive that may tell its RAM as stored has taken another value than it tells: it acknowledged one, or did not take
     /// the old one back.
     fn may_hide(&self, kept: &Kept) -> bool {
@@ -447,8 +455,9 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
     }
 }
 
-/// Takes back what an undo file states: each planned value is brought back, proven. What fails does not stop the others.
-pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Applied {
+/// Takes back what an undo file states: each planned value is brought back, proven. What fails does not stop the others, and stands in
+/// the file.
+pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>, left: &UndoFile) -> Applied {
     if let Err(failure) = still_may(session, plan).await {
         return untouched(plan, failure);
     }
@@ -458,7 +467,7 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
     let order = todo.map(|(step, _)| Kept::wanted(step)).collect();
     let order = back_sorted(order, &plan.job.target.family.files);
     let Way { mut failures, is_begun, over, runs, .. } =
-        restore_all(session, plan, &order, permit, Way::default()).await;
+        restore_all(session, plan, &order, (permit, left), Way::default()).await;
     if let (Some(why), false) = (over.clone().or(runs), is_begun) {
         plan.job.rows = before;
         return untouched(plan, why);
@@ -484,5 +493,5 @@ pub async fn take_back(
     left: &UndoFile,
 ) -> Vec<Failure> {
     let order = back_order(plan);
-    restore_all(session, plan, &order, permit, Way::default()).await.kept_in(left)
+    restore_all(session, plan, &order, (permit, left), Way::default()).await.failures
 }

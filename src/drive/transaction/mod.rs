@@ -26,5 +26,5 @@ pub use ended::Applied;
 pub use meanwhile::{THEIRS, still_may};
 pub use plan::{Plan, plan};
 pub use running::RUNNING;
-pub use undo_file::{UndoFile, UndoPlace, WayBack, plan_back, way_back};
+pub use undo_file::{UndoFile, UndoPlace, WayBack, plan_back};
 pub use weigh::{CUTS, Coming, Unproven, fits};

@@ -13,6 +13,7 @@ use crate::outcome::{WriteResult, Written};
 use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text};
 use crate::profile::{DataSets, Family, Store, Type};
 use crate::text::{Text, both};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -23,6 +24,8 @@ pub struct UndoFile {
     head: Head,
     settings: UndoSettings,
     family: Rc<Family>,
+    /// What stands in it as not proven.
+    unproven: RefCell<Settings>,
 }
 
 /// Where an undo file goes.
@@ -43,18 +46,33 @@ impl UndoFile {
         &self.path
     }
 
-    /// Says in it which values the drive did not take back: it may tell its RAM as stored, so that a later look would not find them.
+    /// One that was left by an earlier run, and what it states.
+    ///
+    /// # Errors
+    /// The file is none that takes something back, or does not fit the family.
+    pub fn read(path: &Path, file: &ParamFile, family: &Rc<Family>) -> Result<(Self, WayBack), Failure> {
+        let (settings, way) = way_back(file, family)?;
+        let (path, head, family) = (path.to_owned(), file.head.clone(), family.clone());
+        let unproven = RefCell::new(settings.unproven.clone());
+        Ok((UndoFile { path, head, settings, family, unproven }, way))
+    }
+
+    /// Says in it which values the drive perhaps did not take back: it may tell its RAM as stored, so that a later look would not find
+    /// them. What stands there already is not written again.
     ///
     /// # Errors
     /// The disk does not take it; the file stands as before.
-    pub(super) fn keep_unproven(&self, torn: &[Kept]) -> Result<(), Failure> {
-        if torn.is_empty() {
+    pub(super) fn keep_unproven(&self, places: &[Kept]) -> Result<(), Failure> {
+        let unproven: Settings = places.iter().map(Kept::setting).collect();
+        let stated = |settings: &Settings| settings.iter().map(|it| (it.param.id, it.set, it.raw)).collect::<Vec<_>>();
+        if stated(&self.unproven.borrow()) == stated(&unproven) {
             return Ok(());
         }
-        let mut settings = self.settings.clone();
-        settings.unproven = torn.iter().map(Kept::setting).collect();
+        let settings = UndoSettings { unproven, ..self.settings.clone() };
         let text = print_undo(&self.head, &settings, &self.family);
-        files::write_whole(&self.path, &text, true).map_err(|error| unwritten(&self.path, &error))
+        files::write_whole(&self.path, &text, true).map_err(|error| unwritten(&self.path, &error))?;
+        *self.unproven.borrow_mut() = settings.unproven;
+        Ok(())
     }
 
     /// Itself, unless nothing was written: then it is of no use, and is taken away.
@@ -95,7 +113,7 @@ impl UndoPlace {
         let family = plan.job.target.family.clone();
         let text = print_undo(&head, &settings, &family);
         let path = self.first_free(|path| files::write_whole(path, &text, false))?;
-        Ok(UndoFile { path, head, settings, family })
+        Ok(UndoFile { path, head, settings, family, unproven: RefCell::default() })
     }
 
     /// The first of its names that nobody has and `take` takes.
@@ -177,6 +195,11 @@ impl Plan {
 }
 
 impl Kept {
+    /// Whether both are of one place.
+    pub(super) fn is_at(&self, other: &Kept) -> bool {
+        (self.param.id, self.set) == (other.param.id, other.set)
+    }
+
     /// The same as a line of a file.
     fn setting(&self) -> Setting {
         let Kept { param, set, raw } = self;
@@ -290,11 +313,8 @@ pub struct WayBack {
     pub unproven: Unproven,
 }
 
-/// What a file says of the way back.
-///
-/// # Errors
-/// The file is none that takes something back, or does not fit the family.
-pub fn way_back(file: &ParamFile, family: &Family) -> Result<WayBack, Failure> {
+/// What a file says of the way back: as it stands there, and as what is to be done.
+fn way_back(file: &ParamFile, family: &Family) -> Result<(UndoSettings, WayBack), Failure> {
     let Some((undo, coming)) = file.undo.as_ref().zip(file.coming(family)) else { return Err(no_undo_file(file)) };
     let old = file.settings(family).map_err(|fault| broken(&fault))?;
     let coming = coming.map_err(|fault| broken(&fault))?;
@@ -305,8 +325,9 @@ pub fn way_back(file: &ParamFile, family: &Family) -> Result<WayBack, Failure> {
     let mut steps: Vec<Step> = old.iter().map(step).collect();
     steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
     let from = coming.iter().map(|it| ((it.param.id, wire(it.set)), it.raw)).collect();
-    let unproven = unproven.iter().map(|it| (it.param.id, wire(it.set))).collect();
-    Ok(WayBack { steps, from, in_ram_alone, unproven })
+    let open = unproven.iter().map(|it| (it.param.id, wire(it.set))).collect();
+    let way = WayBack { steps, from, in_ram_alone: in_ram_alone.clone(), unproven: open };
+    Ok((UndoSettings { old, new: coming, store: undo.store, ram: in_ram_alone, unproven }, way))
 }
 
 fn no_undo_file(file: &ParamFile) -> Failure {

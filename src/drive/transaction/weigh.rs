@@ -272,8 +272,8 @@ pub(super) fn not_in_force() -> Text {
 /// Why a value that the drive tells as before is written.
 pub(super) fn not_taken_back() -> Text {
     both!(
-        "told as before, but when the load failed the drive did not take it back, and it may tell its RAM as stored",
-        "gelesen wie vorher, aber als das Laden scheiterte, hat der Antrieb ihn nicht zurückgenommen, und vielleicht zeigt er sein RAM \
+        "told as before, but an earlier way back was not proven to its end, and the drive may tell its RAM as stored",
+        "gelesen wie vorher, aber ein früheres Zurücknehmen wurde nicht bis zum Ende bestätigt, und vielleicht zeigt der Antrieb sein RAM \
          als gespeichert"
     )
 }

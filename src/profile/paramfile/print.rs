@@ -27,8 +27,8 @@ const IN_RAM: &Text = &Text::new(
 );
 
 const UNPROVEN: &Text = &Text::new(
-    "What the drive did not take back; `antrieb dataset undo` writes it, whatever the drive tells of it.",
-    "Was der Antrieb nicht zurückgenommen hat; `antrieb dataset undo` schreibt es, was der Antrieb davon auch sagt.",
+    "What perhaps did not come back; `antrieb dataset undo` writes it, whatever the drive tells of it.",
+    "Was vielleicht nicht zurückkam; `antrieb dataset undo` schreibt es, was der Antrieb davon auch sagt.",
 );
 
 /// What takes a transaction back.

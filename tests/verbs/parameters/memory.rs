@@ -1,6 +1,8 @@
 //! What a load says of a drive whose two memories do not go together, that somebody else writes, or that starts meanwhile.
 
+use super::ends::{Case, End};
 use crate::run::{Output, Run, antrieb};
+use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
@@ -473,6 +475,77 @@ fn what_the_eeprom_did_not_take_back_is_written_by_undo_whatever_the_drive_tells
         assert_eq!((seen.cell(480, 1), seen.worn() - before), ((Some(500), Some(500)), writes), "{reads} {protocol}");
         assert!(reads == "refused" || undone.err.contains("may tell its RAM as stored"), "{}", undone.err);
     }
+}
+
+/// The EEPROM is worn while the load is taken back by `undo`: the file keeps what it did not take, for the next one.
+#[test]
+fn what_the_eeprom_did_not_take_back_in_an_undo_is_written_by_the_next() {
+    for protocol in ["rtu", "vabus", "ascii"] {
+        let keys = format!(
+            "set = {{ \"480\" = 5 }}\nreadings = {{ ram_reads = \"in-force\" }}\nprotocol = \"{protocol}\"\n\
+             [[drive.event]]\nat = \"100s\"\neeprom = {{ \"480@1\" = \"refuses\" }}\n\
+             [[drive.event]]\nat = \"300s\"\neeprom = {{ \"480@1\" = \"takes\" }}"
+        );
+        let of_it = &format!("--protocol {protocol}");
+        let undo = "-a 1 --yes dataset undo {dir}/f.undo.toml";
+        let later = |Left(mut bench, at): Left, seconds: u64| {
+            let later = at + Span::from_secs(seconds);
+            bench.advance(later);
+            Left(bench, later)
+        };
+        let run = load(&keys, "\"480@1\" = 8\n\"480@2\" = 8").and(of_it).exits(0);
+        let whole = run.text_of("f.undo.toml");
+        let worn = later(left(), 150).then(run, undo).and(of_it).exits(9);
+        let seen = left();
+        assert_eq!(seen.cell(480, 1).0, Some(800), "{protocol}");
+        let file = worn.text_of("f.undo.toml");
+        assert!(
+            file.contains("\n[undo.unproven]\n\"480@1\" = \"5.00 Hz\"") && !file.contains("n]\n\"480@2\""),
+            "{file}"
+        );
+        assert!(worn.err.contains("dataset undo"), "{}", worn.err);
+        let undone = later(seen, 300).then(worn, undo).and(of_it).exits(0);
+        let seen = left();
+        assert_eq!([seen.cell(480, 1).0, seen.cell(480, 2).0], [Some(500); 2], "{protocol}");
+        // Once all is proven, it says again what it said at first.
+        assert_eq!(undone.text_of("f.undo.toml"), whole);
+    }
+}
+
+/// Killed at whatever telegram of the way back, with an EEPROM that did not take it: `undo` brings it back, or says that it did not.
+#[test]
+fn what_the_eeprom_did_not_take_back_is_known_behind_a_kill() {
+    let registry = Registry::open(&[]).unwrap();
+    let keys = format!("set = {{ \"480\" = 5 }}\nreadings = {{ ram_reads = \"in-force\" }}\n{WORN}");
+    let case = Case { model: "act", keys: keys.leak(), options: "", ram: false };
+    let (mut killed, mut hidden) = (0, 0);
+    for step in 1.. {
+        let directory = tempfile::tempdir().unwrap();
+        let dir = directory.path();
+        std::fs::write(dir.join("bench.toml"), case.bench(End::Killed, step, (480, 1))).unwrap();
+        std::fs::write(dir.join("f.toml"), file("\"480@1\" = 8\n\"480@2\" = 8")).unwrap();
+        let mut seen = case.run(&registry, dir, "load {dir}/f.toml", End::Killed, step);
+        if !seen.killed {
+            break;
+        }
+        killed += 1;
+        let cell = |bench: &Bench| {
+            let drive = bench.drives().next().unwrap();
+            (drive.eeprom(480, 1), drive.ram(480, 1))
+        };
+        hidden += usize::from(cell(&seen.bench) == (Some(800), Some(500)));
+        if !dir.join("f.undo.toml").exists() {
+            assert_eq!(cell(&seen.bench).0, Some(500), "{step}");
+            continue;
+        }
+        let later = seen.at + Span::from_secs(300);
+        seen.bench.advance(later);
+        witness::stands(seen.bench, later);
+        let undone = case.run(&registry, dir, "undo {dir}/f.undo.toml", End::Whole, 0);
+        let back = cell(&undone.bench) == (Some(500), Some(500));
+        assert!(back && undone.failure.is_none(), "{step}: {:?} {:?}", cell(&undone.bench), undone.failure);
+    }
+    assert!(killed > 20 && hidden > 0, "{killed} {hidden}");
 }
 
 #[test]
