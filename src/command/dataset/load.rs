@@ -204,8 +204,8 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
 
 /// While the question stood, another drive has come to the address, or the drive is gone.
 fn another_by_now(mut report: Load, mut plan: Plan, why: Failure) -> Outcome {
-    plan.failures = vec![why];
-    let failure = forbidden(&mut plan, &nothing_written());
+    plan.failures = vec![why.clone()];
+    let failure = forbidden(&mut plan, &nothing_written()).map(|_| why);
     report.ended = Some(LoadEnd::Untouched);
     whole(report, plan, Vec::new(), failure).into()
 }
