@@ -250,7 +250,7 @@ pub enum Stays {
 }
 
 /// So long nobody has pressed anything who holds no key.
-const QUIET: Span = Span::from_millis(1_200);
+pub const QUIET: Span = Span::from_millis(1_200);
 
 impl Stays {
     /// `None`: for ever.
