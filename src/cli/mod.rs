@@ -30,9 +30,10 @@ use forms::{fits, kept, recorded, view};
 use page::Source;
 use printed::Printed;
 use signals::{Signals, obey_keys, raise_on_closed_output};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::pin::pin;
 use std::time::Duration;
 use tokio::runtime::Runtime;
 use typed::What;
@@ -385,11 +386,18 @@ fn work(
         let pipe = entry.turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone(), terminal)));
         // From the first moment on a signal is heard, and does not just kill us.
         let signals = Signals::listen(entry.turns);
+        let (has_keys, over) = (keys.is_some(), Cell::new(false));
+        let mut hand = pin!(obey_keys(keys, stream, &interrupt, watch.is_some(), &over));
         let outcome = tokio::select! {
             outcome = over_lines::run(verb, &mut context) => outcome,
-            () = obey_keys(keys, stream, &interrupt, watch.is_some()) => Ok(Outcome::default()),
+            () = &mut hand => Ok(Outcome::default()),
             () = signals.obey(&interrupt, console) => Ok(Outcome::default()),
         };
+        // However a run ended, of itself or by a port that is lost: a key that is still held is not left to the shell.
+        over.set(true);
+        if has_keys && watch.is_some() {
+            hand.await;
+        }
         if let Some(pipe) = pipe {
             pipe.abort();
         }

@@ -1,10 +1,10 @@
 //! What ends a run from outside: signals, keys, and a reader of stdout that goes away.
 
-use crate::drive::{Button, Interrupt};
+use crate::drive::{Button, Interrupt, QUIET};
 use crate::render::{self, Console, Key, Keys, Stream};
 use crate::text::both;
 use crate::tick::{Span, Tick};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 #[cfg(windows)]
 use tokio::signal::windows;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
@@ -17,16 +17,23 @@ use {
     tokio::signal::unix::{SignalKind, signal},
 };
 
-/// Hands the keys that are pressed to the view, for ever; those of a run to its keypad as well.
+/// Hands the keys that are pressed to the view, those of a run to its keypad as well: for ever, or, once it is `over`, as long as one is held
+/// and somebody still looks.
 pub(super) async fn obey_keys(
     keys: Option<Keys>,
     stream: Option<&RefCell<Stream<'_>>>,
     interrupt: &Interrupt,
     is_run: bool,
+    over: &Cell<bool>,
 ) {
     let (Some(mut keys), Some(stream)) = (keys, stream) else { return std::future::pending().await };
     let mut hand = Hand { begun: Instant::now(), ctrl_c: None };
+    let mut last = None;
     loop {
+        let is_quiet = last.is_none_or(|last| hand.now().since(last) >= QUIET);
+        if over.get() && (is_quiet || interrupt.panel().is_left()) {
+            return;
+        }
         let key = tokio::select! {
             key = keys.next() => key,
             () = hand.until(interrupt.panel().due()) => {
@@ -35,6 +42,9 @@ pub(super) async fn obey_keys(
                 continue;
             }
         };
+        if key != Key::Redraw {
+            last = Some(hand.now());
+        }
         let ends = stream.borrow_mut().press(key);
         if is_run {
             hand.obey(key, interrupt);

@@ -2,6 +2,7 @@
 
 use crate::args::{Environment, Globals, Settings, named_drives, named_groups, ports_there};
 use crate::command::VERBS;
+use crate::command::profibus::PRESUMED;
 use crate::profile::procedure::Procedure;
 use crate::profile::{Family, Param, Registry, Sets, fold};
 use crate::text::Lang;
@@ -85,6 +86,7 @@ impl Place<'_> {
         Globals {
             address: last("address"),
             drive: last("drive"),
+            protocol: last("protocol"),
             lang: last("lang").and_then(|lang| lang.parse().ok()),
             config: last("config").map(PathBuf::from),
             catalogue: files,
@@ -135,8 +137,10 @@ fn of_catalogues(place: &Place<'_>, globals: &Globals, environment: &Environment
         let lang = settings.map_or(Lang::En, |settings| settings.lang);
         return [bare("auto")].into_iter().chain(drives.map(|(id, title)| (id, title.get(lang).to_owned()))).collect();
     }
+    // Over PROFIBUS the same family is presumed as there.
+    let presumed = settings.as_ref().and_then(|settings| settings.profibus.then(|| PRESUMED.to_owned()));
     let (lang, drive) = settings.map_or((Lang::En, None), |settings| (settings.lang, settings.drive));
-    let named = drive.or_else(|| globals.drive.clone()).and_then(|drive| registry.family(&drive));
+    let named = drive.or_else(|| globals.drive.clone()).or(presumed).and_then(|drive| registry.family(&drive));
     let families = named.map_or_else(|| registry.families().collect(), |family| vec![family]);
     families.iter().flat_map(|family| of_family(place, family, lang)).collect()
 }

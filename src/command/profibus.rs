@@ -22,6 +22,7 @@ pub(super) use identify::identify;
 pub(super) use scan::{Ends, scan};
 pub(super) use show::show;
 pub use spoken::ModeArg;
+pub use taking::PRESUMED;
 pub(super) use taking::refuse;
 pub(super) use through::through;
 pub(super) use watch::{Watch, watch};

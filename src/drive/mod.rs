@@ -52,7 +52,7 @@ pub use diag::{clear_counters, counters, harmless, last_refusal, link_test};
 pub use interrupt::Interrupt;
 pub use line_check::check_line;
 pub use opening::{Opening, Recording, open_port};
-pub use panel::{Button, EndedBy, Keypad, Panel, Stays, last_told};
+pub use panel::{Button, EndedBy, Keypad, Panel, QUIET, Stays, last_told};
 pub use reader::{InForce, Reader};
 pub use recognise::{Finding, introduce, is_there, recognise};
 pub use route::{Cell, Inquiry, No, Route};

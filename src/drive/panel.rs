@@ -250,7 +250,7 @@ pub enum Stays {
 }
 
 /// So long nobody has pressed anything who holds no key.
-const QUIET: Span = Span::from_millis(1_200);
+pub const QUIET: Span = Span::from_millis(1_200);
 
 impl Stays {
     /// `None`: for ever.
@@ -294,7 +294,8 @@ impl Lingering {
             self.pressed = (now, self.panel.presses());
         }
         let has_stayed = self.stays.least().is_some_and(|least| now.since(self.since) >= least);
-        !self.panel.is_left() && !(has_stayed && now.since(self.pressed.0) >= QUIET)
+        let is_quiet = now.since(self.pressed.0) >= QUIET;
+        !(self.panel.is_left() || has_stayed && is_quiet)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The view of a run and its keypad at a real terminal: every key, another size, a terminal that goes away, a dead man. What the
 //! keys mean in which order is tried in virtual time (`tests/verbs/motion/keypad.rs`).
 
-use crate::program::{AtTerminal, alone};
+use crate::program::{AtTerminal, Piped, alone};
 use std::thread;
 use std::time::Duration;
 use tempfile::TempDir;
@@ -223,6 +223,34 @@ fn a_dead_man_who_lets_go_stops_the_run() {
     run.types("q");
     assert_eq!(run.ends(), Some(0), "{}", run.seen);
     run.shows("ramp (dead-man), acknowledged");
+    assert!(run.is_cooked());
+}
+
+/// Nothing more is shown of a slave whose port is gone; a key that is held on meanwhile is not left to the shell either.
+#[test]
+fn a_key_that_is_held_where_the_port_is_lost_is_not_typed_into_the_shell() {
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    let (file, link) = (directory.path().join("line.toml"), directory.path().join("bus"));
+    std::fs::write(&file, "[[module]]\ndrive = \"l200\"\naddress = 3\n").unwrap();
+    let bench = format!("simulate {} --profibus --link {} --duration 60s", file.display(), link.display());
+    let bench = Piped::start(&bench);
+    while !link.exists() {
+        thread::sleep(Duration::from_millis(20));
+    }
+    let line = "--yes sollwert 5Hz --enable --hold --take-control --dead-man";
+    let mut run = AtTerminal::whole(&format!("-p {} --protocol dp -a 3 {line}", link.display()));
+    run.pictures("waiting for a key to be held");
+    for press in 0..200 {
+        run.types("\r");
+        thread::sleep(Duration::from_millis(40));
+        if press == 60 {
+            bench.signal("-KILL");
+        }
+    }
+    assert!(!run.is_cooked(), "the view stays as long as a key repeats");
+    assert_eq!(run.ends(), Some(3), "{}", run.seen);
+    run.shows("was lost");
     assert!(run.is_cooked());
 }
 

@@ -16,7 +16,7 @@ use crate::tick::Span;
 use std::rc::Rc;
 
 /// The family whose names hold as long as nobody has asked the inverter (P.624).
-const PRESUMED: &str = "l200";
+pub const PRESUMED: &str = "l200";
 
 /// Whom to take.
 pub(super) struct Whom<'s> {

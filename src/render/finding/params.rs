@@ -91,7 +91,7 @@ impl Page {
             rows.push(("unconfirmed", fields.join(", ")));
         }
         let [source, origin] = [cited(&param.source), origin(&param.origin)].map(|text| self.say(&text));
-        rows.push(("source", format!("{source} ({origin})")));
+        rows.push(("source", if source.is_empty() { origin } else { format!("{source} ({origin})") }));
         self.pairs(rows)
     }
 

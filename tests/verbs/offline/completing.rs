@@ -16,6 +16,24 @@ fn candidates(typed: &str) -> Vec<String> {
     ended.out.lines().filter(|line| !line.starts_with('\t')).map(str::to_owned).collect()
 }
 
+/// Over PROFIBUS those of its inverters: whose drive is not named is taken for one of them there as well.
+#[test]
+fn over_profibus_the_parameters_of_its_inverters_are_offered() {
+    for (verb, whole) in [
+        ("sollwert 10Hz --set F00", "F002="),
+        ("read F00", "F002"),
+        ("monitor acceleration-t", "acceleration-time-2"),
+        ("write F00", "F002="),
+    ] {
+        for line in ["--protocol dp", "--drive sj200 --protocol dp", "--protocol dp --drive l200"] {
+            let found = candidates(&format!("{line} {verb}"));
+            assert!(found.iter().any(|found| found == whole), "{line} {verb}: {found:?}");
+        }
+    }
+    assert_eq!(candidates("--protocol dp sollwert 10Hz --set rated-mech"), [""; 0]);
+    assert_eq!(candidates("--protocol dp --drive act sollwert 10Hz --set rated-mech"), ["rated-mechanical-power="]);
+}
+
 #[test]
 fn every_kind_of_value_is_completed() {
     for (typed, whole) in [

@@ -64,6 +64,15 @@ fn a_list_of_excel_is_a_catalogue_at_once() {
     assert!(site("--format csv params import {dir}/site.csv").exits(0).out.lines().count() > 5);
 }
 
+/// A row that cites nothing tells the file that it stands in, and no empty place before it.
+#[test]
+fn a_row_without_a_source_tells_its_file() {
+    let list = site("params import {dir}/site.csv").exits(0).out;
+    let told = antrieb("--catalogue {dir}/mine.toml --drive act params 420").file("mine.toml", &list).exits(0).out;
+    let source = told.lines().find_map(|line| line.trim_start().strip_prefix("source ")).unwrap();
+    assert!(source.trim().ends_with("mine.toml") && !source.contains('('), "{told}");
+}
+
 #[test]
 fn whatever_bytes_and_separators_it_comes_in() {
     let western: Vec<u8> =

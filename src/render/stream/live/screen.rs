@@ -252,29 +252,41 @@ impl Screen {
     fn table(&self, frame: &mut Frame<'_>, area: Rect, drive: &Drive) {
         let board = Board { columns: drive.about.columns.clone() };
         let columns = board.columns.iter().filter(|column| column.role != Some("status-word"));
-        let rows = columns.map(|column| {
-            let value = drive.last.as_ref().and_then(|sample| find(column, sample));
-            let shown = match value {
-                Some(value) if is_number(column) => number(value),
-                value => short(column, value, self.lang),
-            };
-            let text = value.map_or_else(|| self.why(drive, column), |value| long(column, value, self.lang));
-            let text = if text == shown { String::new() } else { text };
-            let age = drive.last.as_ref().and_then(|sample| age(column, sample));
-            let style = if age.is_some() { Style::new().add_modifier(Modifier::DIM) } else { Style::new() };
-            let text = age.map_or(text, |age| self.lang.pick("{} s ago", "vor {} s").replace("{}", &age));
-            let unit = column.unit.as_ref().filter(|_| value.is_some());
-            let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
-            Row::new([
-                Text::raw(format!("{}{set}", column.param)).right_aligned(),
-                Text::raw(clean(column.name.get(self.lang))),
-                Text::raw(clean(&shown)).right_aligned(),
-                Text::raw(unit.map_or_else(String::new, |unit| clean(unit))),
-                Text::raw(clean(&text)),
-            ])
-            .style(style)
-        });
-        let name = if area.width < 60 { Constraint::Fill(1) } else { Constraint::Length(30) };
+        let (mut names, mut words) = (NAMES, WORDS);
+        let wider = |most: &mut u16, text: &str| {
+            let width = u16::try_from(Line::raw(text).width()).unwrap_or(u16::MAX);
+            *most = width.max(*most);
+        };
+        let rows: Vec<_> = columns
+            .map(|column| {
+                let value = drive.last.as_ref().and_then(|sample| find(column, sample));
+                let shown = match value {
+                    Some(value) if is_number(column) => number(value),
+                    value => short(column, value, self.lang),
+                };
+                let text = value.map_or_else(|| self.why(drive, column), |value| long(column, value, self.lang));
+                let text = if text == shown { String::new() } else { text };
+                let age = drive.last.as_ref().and_then(|sample| age(column, sample));
+                let style = if age.is_some() { Style::new().add_modifier(Modifier::DIM) } else { Style::new() };
+                let text = age.map_or(text, |age| self.lang.pick("{} s ago", "vor {} s").replace("{}", &age));
+                let unit = column.unit.as_ref().filter(|_| value.is_some());
+                let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
+                let (name, text) = (clean(column.name.get(self.lang)), clean(&text));
+                wider(&mut names, &name);
+                wider(&mut words, &text);
+                Row::new([
+                    Text::raw(format!("{}{set}", column.param)).right_aligned(),
+                    Text::raw(name),
+                    Text::raw(clean(&shown)).right_aligned(),
+                    Text::raw(unit.map_or_else(String::new, |unit| clean(unit))),
+                    Text::raw(text),
+                ])
+                .style(style)
+            })
+            .collect();
+        // Whole, as far as there is room for it beside what the numbers say in words.
+        let name = names.min(area.width.saturating_sub(6 + 10 + 5 + 4).saturating_sub(words)).max(NAMES);
+        let name = if area.width < 60 { Constraint::Fill(1) } else { Constraint::Length(name) };
         let text = if area.width < 60 { Constraint::Length(0) } else { Constraint::Fill(1) };
         let widths = [Constraint::Length(6), name, Constraint::Length(10), Constraint::Length(5), text];
         frame.render_widget(Table::new(rows, widths), area);
@@ -293,6 +305,10 @@ impl Screen {
         if self.color { Style::new().fg(color) } else { Style::new() }
     }
 }
+
+/// So many columns at least are kept for names, and for what numbers say in words.
+const NAMES: u16 = 30;
+const WORDS: u16 = 15;
 
 /// A value older than this says so: what is beside it may be of now.
 const OLD: f64 = 1.0;

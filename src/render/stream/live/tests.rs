@@ -153,6 +153,23 @@ fn a_narrow_terminal_shows_less() {
     assert_eq!(drawn(&screen, 26, 1), [" 1 act  Operation enabled"]);
 }
 
+/// The name of a row is whole where there is room for it, and leaves some to the words of the others.
+#[test]
+fn names_are_whole_as_far_as_there_is_room() {
+    let named = |name: &'static str| {
+        let mut screen = screen(1, &[Some(2_500)]);
+        for column in screen.drives.iter_mut().flat_map(|drive| &mut drive.about.columns) {
+            column.name = Text::name(name);
+        }
+        drawn(&screen, 80, 24).join("\n")
+    };
+    assert!(named("Output frequency of the gateway").contains("Output frequency of the gateway  "));
+    assert!(
+        named("Output frequency of the gateway, and so on and on")
+            .contains("Output frequency of the gateway, and so  ")
+    );
+}
+
 #[test]
 fn lines_of_a_chart_end_where_a_gap_begins() {
     let mut screen = screen(1, &[Some(2_500), Some(2_500), None, None, None, Some(2_500), Some(2_500)]);
