@@ -373,4 +373,6 @@ fn a_node_behind_a_drive_is_told_with_its_node() {
     let refused = on("--drive acu read 1234").json().exits(6);
     assert!(refused.error()["message"].as_str().unwrap().starts_with("drive 3.17 refused"), "{}", refused.error());
     assert_eq!(refused.error()["context"]["node"], "17");
+    let rows = on("monitor 480 --count 1 --format table").exits(0).out;
+    assert!(rows.lines().nth(1).unwrap().contains(" 3.17 "), "{rows}");
 }

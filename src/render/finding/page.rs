@@ -10,6 +10,14 @@ use crate::render::wrap::wrap;
 use crate::text::Text;
 use comfy_table::{CellAlignment, ContentArrangement, Table};
 
+/// An address as it is typed.
+pub(in crate::render) fn addressed(address: u8, node: u8) -> String {
+    match node {
+        0 => address.to_string(),
+        node => format!("{address}.{node}"),
+    }
+}
+
 /// How a page is written.
 #[derive(Clone, Copy)]
 pub(in crate::render) struct Page {
@@ -131,10 +139,7 @@ impl Page {
 
     /// An address as it is typed: `3`, and with a node of the system bus behind it `3.17`.
     pub(super) fn address(self, address: u8) -> String {
-        match self.node {
-            0 => address.to_string(),
-            node => format!("{address}.{node}"),
-        }
+        addressed(address, self.node)
     }
 
     /// One row a value; the address only if there are several drives.
