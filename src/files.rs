@@ -15,6 +15,9 @@ pub const TEXT: u64 = 16 << 20;
 /// Longest recording in bytes: three hours of a line that is asked without a pause.
 pub const RECORDING: u64 = 64 << 20;
 
+/// How a file begins that is packed with gzip (RFC 1952, 2.3.1).
+const GZIP: [u8; 2] = [0x1F, 0x8B];
+
 /// So many files that earlier crashes have left are gone past.
 const MOST_LEFT_OVER: u32 = 99;
 
@@ -30,6 +33,9 @@ pub enum FileError {
     /// Bytes that are no text: the line and column of the first.
     #[error("{}", self.text().en)]
     NoText(usize, usize),
+    /// Packed with gzip.
+    #[error("{}", self.text().en)]
+    Packed,
     /// Something is there and may not be overwritten.
     #[error("{}", self.text().en)]
     Exists,
@@ -60,6 +66,10 @@ impl FileError {
             FileError::NoText(line, column) => {
                 both!("line {line}, column {column}: {why}", "Zeile {line}, Spalte {column}: {why}", why = no_text())
             }
+            FileError::Packed => both!(
+                "the file is packed with gzip; `gunzip --keep FILE` unpacks it",
+                "die Datei ist mit gzip gepackt; `gunzip --keep DATEI` packt sie aus"
+            ),
             FileError::Exists => both!("the file exists already", "die Datei gibt es schon"),
             FileError::Link => both!(
                 "expected a regular file, this is a symbolic link",
@@ -135,7 +145,11 @@ pub fn of_system(error: &io::Error) -> Text {
 
 /// The text of a regular file of at most `limit` bytes.
 pub fn read(path: &Path, limit: u64) -> Result<String, FileError> {
-    String::from_utf8(read_bytes(path, limit)?).map_err(|error| {
+    let bytes = read_bytes(path, limit)?;
+    if bytes.starts_with(&GZIP) {
+        return Err(FileError::Packed);
+    }
+    String::from_utf8(bytes).map_err(|error| {
         let text = error.as_bytes().get(..error.utf8_error().valid_up_to()).map(String::from_utf8_lossy);
         let text = text.unwrap_or_default();
         let last = text.rsplit('\n').next().unwrap_or_default();

@@ -134,9 +134,7 @@ impl<'a> Low<'a> {
         if let Some(list) = self.call_several(&text)? {
             return Ok((Addresses::Named(list), 0));
         }
-        if is_master(&text) {
-            return Ok((Addresses::Named(vec![MASTER_STATION]), 0));
-        }
+        let text = self.numbered(&text);
         let (drive, node) = match text.split_once('.') {
             Some((drive, node)) => (drive, parse_node(drive, node)?),
             None => (text.as_str(), 0),
@@ -146,7 +144,17 @@ impl<'a> Low<'a> {
 
     /// Whether the drive with node 0 was typed, and no drive that has this name.
     pub(super) fn means_master(&self) -> bool {
-        self.flags.address.as_deref().is_some_and(|text| is_master(text) && self.drive(text).is_none())
+        self.flags.address.as_deref().is_some_and(|text| text.split(',').any(|part| self.is_master(part)))
+    }
+
+    fn is_master(&self, text: &str) -> bool {
+        text.trim().eq_ignore_ascii_case(MASTER) && self.drive(text.trim()).is_none()
+    }
+
+    /// A list with the station of the master in place of its word.
+    fn numbered(&self, text: &str) -> String {
+        let number = |part: &str| if self.is_master(part) { MASTER_STATION.to_string() } else { part.to_owned() };
+        text.split(',').map(number).collect::<Vec<_>>().join(",")
     }
 
     /// A list of addresses; of what is none it is said what would be.
@@ -189,7 +197,7 @@ impl<'a> Low<'a> {
         let mut line: Option<(Origin, NamedDrive)> = None;
         for part in &parts {
             let Some(address) = self.call(part) else {
-                list.extend(self.parsed(part)?);
+                list.extend(self.parsed(&self.numbered(part))?);
                 continue;
             };
             list.push(address);
@@ -443,6 +451,4 @@ fn none_there(text: &str, ports: &[Port], has_drives: bool) -> Failure {
 }
 
 /// The word for the drive that is the master of a CAN bus.
-fn is_master(text: &str) -> bool {
-    text.trim().eq_ignore_ascii_case("master")
-}
+const MASTER: &str = "master";

@@ -16,7 +16,7 @@ mod values;
 use crate::args::{
     ColorChoice, Environment, Globals, Settings, is_apart, language, settings_of_plant, settings_over_lines,
 };
-use crate::command::{Context, Entry, Flow, OverLines, Typed, file_failure, on_bus, over_lines};
+use crate::command::{Context, Entry, Flow, OverLines, Typed, behind, file_failure, on_bus, over_lines};
 use crate::drive::{Calls, Interrupt};
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
@@ -71,7 +71,9 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let (format, choice) = form(&settings, &globals);
     let color = may_color(choice, environment, out_is_terminal);
     let width = width.filter(|_| out_is_terminal);
-    let manner = Manner { lang, width, full: globals.verbose > 0, color, holds_stderr: err_is_terminal };
+    let is_can = settings.as_ref().is_ok_and(Settings::is_can);
+    let node = settings.as_ref().map_or(0, |settings| settings.node);
+    let manner = Manner { lang, width, full: globals.verbose > 0, color, holds_stderr: err_is_terminal, is_can, node };
     let flow = verb.streams();
     let settings = settings.and_then(|settings| fits(format, flow.as_ref()).map_or(Ok(settings), Err));
     let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
@@ -86,7 +88,11 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             let mut ask = Terminal { console: console.clone(), input: Some(input), present, yes, quiet, lang };
             let looks = Looks { stream, watch, terminal: err_is_terminal };
             let outcome = work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), looks);
-            if settings.is_can() { Ok(on_bus::advised(outcome)) } else { outcome }
+            match (settings.is_can(), settings.node) {
+                (true, _) => Ok(on_bus::advised(outcome)),
+                (_, 0) => outcome,
+                (_, node) => Ok(behind::told(outcome, node)),
+            }
         });
         again.told(outcome.unwrap_or_else(Outcome::from))
     };

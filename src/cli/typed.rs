@@ -67,15 +67,7 @@ impl What {
 }
 
 /// What there is to do where a verb does not speak something.
-const INSTEAD: [(&[&str], &str, Text); 2] = [
-    (
-        &["sniff"],
-        "usage.sdo",
-        Text::new(
-            "`antrieb systembus monitor` shows what goes over a CAN bus",
-            "`antrieb systembus monitor` zeigt, was über einen CAN-Bus geht",
-        ),
-    ),
+const INSTEAD: [(&[&str], &str, Text); 1] = [
     // They move a shaft by the control word.
     (
         &["statemachine", "sollwert"],

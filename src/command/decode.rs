@@ -4,7 +4,7 @@ mod dp;
 
 use super::verb::{Verb, Working};
 use super::{Context, offline_family, output, telegram_reader};
-use crate::args::Takes;
+use crate::args::{Settings, Takes};
 use crate::drive::decode::dp::Cyclic;
 use crate::drive::decode::{is_can, log};
 use crate::drive::describe;
@@ -122,6 +122,7 @@ impl Verb for Args {
         "antrieb decode basic-control 0x0050",
     ];
     const PROFIBUS: bool = true;
+    const SDO: bool = true;
     type Prints = Document<Decode>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -144,6 +145,10 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let decode = match &args.what {
         What::Telegram { bytes, cfg } => {
             let input = bytes.join(" ");
+            if context.settings.is_can() {
+                let cube = cube(context, &family);
+                return checked(blank("can", &input), telegram_reader(context.settings, &cube).frames(&input));
+            }
             let is_profibus = context.settings.profibus || cfg.is_some() || dp::is_spoken(&input);
             let docs = match is_profibus {
                 true => dp::reader(&dp::inverter(context, &family), *cfg).typed(&input),
@@ -163,12 +168,14 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
             let text = files::read(file, files::RECORDING).map_err(|error| wrong(error.text()))?;
             let telegrams = match dp::is_recorded(&text, context.settings.profibus || cfg.is_some()) {
                 true => dp::reader(&dp::inverter(context, &family), *cfg).recording(&text),
-                false if is_can(&text) => telegram_reader(context.settings, &cube(context, &family)).recording(&text),
+                false if is_can(&text, context.settings.is_can()) => {
+                    telegram_reader(context.settings, &cube(context, &family)).recording(&text)
+                }
                 false => reader.recording(&text),
             };
             let telegrams = telegrams.map_err(wrong)?;
             if let Some(path) = candump {
-                let note = write_log(&text, path, context.settings.force)?;
+                let note = write_log(&text, path, context.settings)?;
                 (context.observe)(Event::Note(note));
             }
             Decode { telegrams, ..blank("trace", &shown) }
@@ -207,14 +214,15 @@ fn cube(context: &Context<'_>, family: &Rc<Family>) -> Rc<Family> {
 }
 
 /// Writes the frames of a recording as candump logs them, and says how many.
-fn write_log(text: &str, path: &Path, force: bool) -> Result<Text, Failure> {
+fn write_log(text: &str, path: &Path, settings: &Settings) -> Result<Text, Failure> {
     let shown = path.display();
     let no_can = || {
         let message = both!("expected a recording of CAN", "erwartet: eine Aufzeichnung von CAN");
         Failure::new(Class::Data, "data.trace", message)
     };
-    let written = log(text).ok_or_else(no_can)?.map_err(|why| Failure::new(Class::Data, "data.trace", why))?;
-    output::write(path, &written.log, force)?;
+    let written =
+        log(text, settings.is_can()).ok_or_else(no_can)?.map_err(|why| Failure::new(Class::Data, "data.trace", why))?;
+    output::write(path, &written.log, settings.force)?;
     let frames = Text::count(written.frames, ["frame", "frames"], ["Frame", "Frames"]);
     Ok(match written.left_out {
         0 => both!("{frames} written to {shown}", "{frames} nach {shown} geschrieben", frames),

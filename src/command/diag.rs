@@ -212,6 +212,7 @@ async fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit<Counters>, Fai
 fn blank(address: u8) -> Diagnosis {
     Diagnosis {
         address,
+        node: 0,
         drive: "unknown".to_owned(),
         healthy: false,
         status: None,

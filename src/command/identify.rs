@@ -78,6 +78,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         },
         |address, failure: &Failure| Identity {
             address,
+            node: 0,
             drive: "unknown".to_owned(),
             title: Text::default(),
             product: None,
@@ -127,6 +128,7 @@ async fn as_named(session: &mut Session<'_>, terms: &Terms<'_>, address: u8) -> 
 fn stranger(address: u8, evidence: Vec<Evidence>, product: Option<String>) -> Identity {
     Identity {
         address,
+        node: 0,
         drive: "unknown".to_owned(),
         title: both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb"),
         product,
@@ -159,7 +161,7 @@ pub(super) async fn told(
     let drive = reader.target.family.drive.clone();
     let (failures, good) = reader.into_failures();
     let (evidence, product) = (evidence.clone(), product.clone());
-    Ok((Identity { address, drive, title, product, evidence, modules, values, error: None }, failures, good))
+    Ok((Identity { address, node: 0, drive, title, product, evidence, modules, values, error: None }, failures, good))
 }
 
 /// Asks one parameter of every option module that the catalogue knows: an unknown parameter means no module.

@@ -2,6 +2,7 @@
 
 mod again;
 mod asking;
+pub mod behind;
 pub mod dataset;
 pub mod decode;
 pub mod diag;

@@ -2,13 +2,13 @@
 
 use super::profibus;
 use super::verb::{Flow, Verb, Working};
-use super::{Context, connect, named_family, offline_family, output, telegram_reader};
+use super::{Context, connect, listen, named_family, offline_family, output, telegram_reader};
 use crate::args::{self, Origin, Settings, Takes, parse_span};
 use crate::drive::decode::dp::Cyclic;
 use crate::drive::{Filter, Listening, Port, Unknown, sniff};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff, SniffSearch};
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,8 @@ use std::str::FromStr;
 /// catalogue of --drive (acu, if none is named). Every telegram is a line as it comes, with `--format ndjson` a
 /// record; --json and CSV tell all at the end.
 ///
-/// PROFIBUS-DP (--protocol dp) is told of any master; what Data_Exchange carries says --cfg.
+/// PROFIBUS-DP (--protocol dp) is told of any master; what Data_Exchange carries says --cfg. On a CAN bus (--protocol sdo, or a CAN port)
+/// every frame is told; the adapter is opened to listen only, and the statistics are of SDO.
 ///
 /// At the end, and with --statistics on the way, stands what was counted of each station: requests, replies, no answer, refusals, how often
 /// it was asked again, reply times, disturbed telegrams, pauses that were too short; and how full the line is.
@@ -50,8 +51,8 @@ pub struct Args {
 
     /// Keep a capture for Wireshark; - is stdout
     ///
-    /// Classic pcap of link type 250 (RTAC Serial); `-d rtacser.data,mbrtu` takes its payload apart as Modbus RTU. A file that is there
-    /// is left alone without --force.
+    /// Classic pcap of link type 250 (RTAC Serial); `-d rtacser.data,mbrtu` takes its payload apart as Modbus RTU. Of a CAN bus link type 227
+    /// (SocketCAN), with `-d can.subdissector,canopen`. A file that is there is left alone without --force.
     #[arg(long, value_name = "FILE")]
     pub pcap: Option<PathBuf>,
 
@@ -101,11 +102,13 @@ impl Verb for Args {
     const NAME: &'static str = "sniff";
     const TAKES: Takes = Takes::LISTENS;
     const PROFIBUS: bool = true;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port /dev/ttyUSB0 --baud 19200 sniff --duration 1m",
         "antrieb --port tape:line.txt sniff --drive act --format ndjson",
         "antrieb -p /dev/ttyUSB0 --protocol dp --baud 93750 sniff --cfg ppo1",
         "antrieb -p /dev/ttyUSB0 sniff --pcap line.pcap --filter 'address=3'",
+        "antrieb -p slcan:/dev/ttyACM0 -b 500000 sniff --duration 1m",
     ];
     type Prints = Document<OrPlan<Sniff>>;
 
@@ -127,9 +130,17 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         None => {}
         Some(_) => profibus::refuse(&[("--search", args.search)])?,
     }
-    let family = match settings.profibus {
-        true => named_family(settings, registry, settings.drive.as_deref().unwrap_or(INVERTER))?,
-        false => offline_family(settings, registry)?,
+    if settings.is_can() {
+        fits_bus(args)?;
+    }
+    let usual = match (settings.profibus, settings.is_can()) {
+        (true, _) => Some(INVERTER),
+        (_, true) => Some(CUBE),
+        _ => None,
+    };
+    let family = match usual {
+        Some(usual) => named_family(settings, registry, settings.drive.as_deref().unwrap_or(usual))?,
+        None => offline_family(settings, registry)?,
     };
     if settings.dry_run {
         return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() })));
@@ -145,8 +156,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return Err(recorded());
     }
     let is_virtual = matches!(settings.port, Some(Port::Sim(_) | Port::Tape(_)));
+    // A bus is never quiet where somebody beats its time.
+    let endless = is_virtual && settings.is_can() && args.count.is_none();
     let plan = Listening {
-        duration: args.duration,
+        duration: args.duration.or(endless.then_some(QUIET)),
         quiet: (is_virtual && args.duration.is_none()).then_some(QUIET),
         count: args.count,
         keep: settings.tells_at_the_end(),
@@ -161,14 +174,55 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     };
     // What is looked for is known to nobody yet.
     let settings = &Settings { unknown: args::Unknown::default(), ..(*settings).clone() };
-    let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let (heard, error) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
-    let failure = error.map(|error| error.failure(0, None)).or_else(|| unheard(&heard));
+    let mut session = match settings.is_can() {
+        true => listen(settings, registry, interrupt, *observe).await?,
+        false => connect(settings, registry, interrupt, *observe).await?,
+    };
+    let (heard, failure) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
+    let failure = failure.or_else(|| unheard(&heard));
+    let failure = match settings.port {
+        Some(Port::Tape(_)) if settings.is_can() => failure.map(|failure| failure.hint(of_a_tape())),
+        _ => failure,
+    };
     Ok(Outcome { data: Some(Data::Sniff(heard)), warnings: Vec::new(), failure })
 }
 
-/// By whose names PROFIBUS is told where no inverter is named.
+/// By whose names PROFIBUS is told where no inverter is named, and CAN where no drive is.
 const INVERTER: &str = "l200";
+const CUBE: &str = "acu";
+
+/// Refuses what means nothing on a CAN bus.
+fn fits_bus(args: &Args) -> Result<(), Failure> {
+    let words = args.filter.iter().chain(&args.trigger);
+    let (what, hint) = match (args.search, words.into_iter().any(Filter::names_function)) {
+        (true, _) => (
+            both!(
+                "--search finds baud, parity and protocol of a serial line; a CAN bus has a bit rate alone, and at another one the adapter \
+                 tells errors",
+                "--search findet Baud, Parität und Protokoll einer seriellen Leitung; ein CAN-Bus hat nur eine Bitrate, und bei einer anderen \
+                 meldet der Adapter Fehler"
+            ),
+            both!("name the bit rate with -b: it is P.903", "die Bitrate mit -b angeben: sie steht in P.903"),
+        ),
+        (_, true) => (
+            both!("a frame of CAN has no function code", "ein CAN-Frame hat keinen Funktionscode"),
+            both!(
+                "expected words such as request, reply, refused, disturbed, address=1,5-9 (nodes), hex=4178",
+                "erwartet: Wörter wie request, reply, refused, disturbed, address=1,5-9 (Knoten), hex=4178"
+            ),
+        ),
+        _ => return Ok(()),
+    };
+    Err(Failure::new(Class::Usage, "usage.sdo", what).hint(hint))
+}
+
+/// What a recording of a bus is for.
+fn of_a_tape() -> Text {
+    both!(
+        "only a recording of `sniff` or `systembus monitor` plays back here; `antrieb decode trace FILE` reads any",
+        "hier läuft nur eine Aufzeichnung von `sniff` oder `systembus monitor` ab; `antrieb decode trace DATEI` liest jede"
+    )
+}
 
 fn only_on_profibus() -> Failure {
     let message = both!("--cfg means something on PROFIBUS alone", "--cfg bedeutet nur am PROFIBUS etwas");

@@ -9,8 +9,8 @@ use super::{AccessError, Opening};
 use crate::exchange::can::{Channel, Ear, Opened, Opening as Conversation, Overheard, Traffic, Unopened};
 use crate::failure::Failure;
 use crate::outcome::Event;
-use crate::protocol::can::SdoChannel;
 use crate::protocol::can::slcan::Word;
+use crate::protocol::can::{MASTER_STATION, SdoChannel};
 use crate::text::{Text, both};
 use crate::transport::{Ailing, Between, Link, LinkError};
 use std::cell::RefCell;
@@ -29,7 +29,13 @@ pub(super) async fn open(
     let opened = opened(&mut Conversation::new(rate), link, interrupt).await;
     let opened = opened.map_err(|error| error.failure(0, None))?;
     let opened = opened.map_err(|why| trouble::unopened(&port, bit_rate, &why))?;
-    for note in notes(&port, &opened) {
+    let masters = (channel == SdoChannel::One).then(|| {
+        both!(
+            "SDO1 is the master's (EM-RES-03 5.9.4): it is used because nobody was heard who could be one",
+            "SDO1 gehört dem Master (EM-RES-03 5.9.4): benutzt wird er, weil keiner zu hören war"
+        )
+    });
+    for note in notes(&port, &opened).into_iter().chain(masters) {
         observe(Event::Note(note));
     }
     let why = forbidden(&opened.traffic, channel);
@@ -133,6 +139,11 @@ pub(super) async fn retune(
     }
     link.put_between(Box::new(Channel::new(channel, heard.clone())));
     why.map_or(Ok(()), |why| Err(why.into()))
+}
+
+/// Whether a station stands for the drive that is the master, which has node 0.
+pub(super) fn is_master(station: u8) -> bool {
+    station == MASTER_STATION
 }
 
 /// The number of a bit rate in SLCAN.

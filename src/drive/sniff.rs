@@ -1,5 +1,6 @@
 //! Listens on a line without ever sending: what comes is cut into telegrams, and they are told in words.
 
+mod bus;
 mod census;
 mod filter;
 mod search;
@@ -14,6 +15,7 @@ use super::decode::dp::{self, Cyclic, EVERYBODY, NAME};
 use super::scan::Unknown;
 use super::session::Session;
 use crate::exchange::Cutter;
+use crate::failure::Failure;
 use crate::outcome::{Event, Record, Sniff, SniffSummary, TelegramDoc};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
@@ -52,9 +54,9 @@ pub struct Listening {
     pub profibus: Option<Option<Cyclic>>,
 }
 
-/// Tells every telegram as a record until the time or the count is over, or somebody interrupts, which is the normal end;
-/// an error only if the port is lost. Never sends.
-pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listening) -> (Sniff, Option<AccessError>) {
+/// Tells every telegram as a record until the time or the count is over, or somebody interrupts, which is the normal end; a failure only
+/// if the port is lost, or if a CAN bus was silent. Never sends.
+pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listening) -> (Sniff, Option<Failure>) {
     let begin = session.now();
     let mut reader = *reader;
     let until = plan.duration.map(|span| begin + span);
@@ -71,8 +73,11 @@ pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listeni
     // What was begun is told as it is.
     log.tell(session, ear.silence());
     let summary = SniffSummary { search, ..summary(session, &ear, because) };
-    let error = error.or(cut);
-    (Sniff { summary, telegrams: log.kept }, error)
+    let mut failure = error.or(cut).map(|error| error.failure(0, None));
+    if failure.is_none() && summary.count.heard == 0 {
+        failure = bus::unheard(session).await;
+    }
+    (Sniff { summary, telegrams: log.kept }, failure)
 }
 
 /// Until it is over; why.
@@ -100,7 +105,10 @@ async fn listen(
         let telegrams = match heard {
             Ok(Wake::Bytes(bytes)) => {
                 last = now;
-                ear.feed(last, &bytes)
+                match session.heard_frames() {
+                    Some(frames) => ear.frames(last, &frames),
+                    None => ear.feed(last, &bytes),
+                }
             }
             Ok(Wake::Silence) if because.is_some() => return (because.unwrap_or_default(), None),
             Ok(Wake::Silence) if ear.ends(last).is_some_and(|at| now >= at) => ear.silence(),
@@ -134,7 +142,7 @@ fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> Sniff
         protocol: ear.speaks,
         search: None,
         count: ear.census.count(session.now()),
-        unseen: unseen(),
+        unseen: if session.line().is_can() { bus::unseen(session.frames_lost()) } else { unseen() },
     }
 }
 
@@ -144,6 +152,9 @@ const BROADCAST: u8 = 0;
 /// What a census must know of the line.
 fn terms(session: &Session<'_>, is_profibus: bool) -> Terms {
     let line = session.line();
+    if line.is_can() {
+        return bus::terms(session.limits().reply_timeout);
+    }
     // Only in RTU silences part the telegrams.
     let pause = (session.protocol().name() == "rtu" && !is_profibus).then(|| line.t35());
     let everybody = if is_profibus { EVERYBODY } else { BROADCAST };
@@ -259,6 +270,8 @@ struct Ear<'r> {
     census: Census,
     /// What the clock of the line must be put forward by, to be that of the day.
     since_1970: Option<Span>,
+    /// Bits per second, for what a frame takes of a CAN bus.
+    bit_rate: u32,
 }
 
 impl<'r> Ear<'r> {
@@ -271,13 +284,21 @@ impl<'r> Ear<'r> {
         let since_1970 = session
             .since_1970()
             .map(|span| Span::from_micros(span.as_micros().saturating_sub(session.now().as_micros())));
-        Ear { profibus, speaks, since_1970, ..Ear::new(reader, cutter, session.limits().reply_timeout, census) }
+        let bit_rate = session.line().baud;
+        Ear {
+            profibus,
+            speaks,
+            since_1970,
+            bit_rate,
+            ..Ear::new(reader, cutter, session.limits().reply_timeout, census)
+        }
     }
 
     fn new(reader: Reader<'r>, cutter: Cutter, patience: Span, census: Census) -> Self {
         let (arrivals, asked) = (VecDeque::new(), None);
         let (profibus, speaks) = (None, reader.protocol.name());
-        Ear { reader, profibus, speaks, cutter, arrivals, patience, asked, is_in: false, census, since_1970: None }
+        let (is_in, since_1970, bit_rate) = (false, None, 0);
+        Ear { reader, profibus, speaks, cutter, arrivals, patience, asked, is_in, census, since_1970, bit_rate }
     }
 
     /// When what is open will stay so, if the last byte came at `last`.
@@ -327,7 +348,7 @@ impl<'r> Ear<'r> {
         doc.since_1970_us = self.since_1970.map(|span| span.as_micros() + at.as_micros());
         let piece = came.iter().filter(|then| **then == at).count() as u64;
         let last = came.last().copied().unwrap_or(at);
-        self.census.note(&doc, Came { first: at, piece, last, bytes: bytes.len() as u64, alike });
+        self.census.note(&doc, Came { first: at, piece, last, bytes: bytes.len() as u64, alike, lane: 0 });
         self.is_in = true;
         let (address, function) = (doc.address, doc.function);
         let asked = Asked { at: last, address, function, hex: doc.hex.clone() };

@@ -111,7 +111,7 @@ impl Target {
             return Err(AccessError::Refused(Refusal { no, cause: no.cause(), unheard: false, taken: None }));
         }
         match route.misshapen(&said, kind) {
-            Some(bytes) => Err(ExchangeError::Garbled { asked: 1, bytes }.into()),
+            Some(bytes) => Err(misshapen(&said, 1, bytes).into()),
             None => Ok(reading(param, cell.set, route.content(&said).ok_or(AccessError::Unspeakable)?, kind)),
         }
     }
@@ -197,7 +197,7 @@ impl Target {
             match route.misshapen(&said, kind).filter(|_| sure || matches!(said, Said::Sdo(_))) {
                 None => return Ok(reading(param, cell.set, content, kind)),
                 Some(_) if asked <= session.limits().retries => {}
-                Some(bytes) => return Err(ExchangeError::Garbled { asked, bytes }.into()),
+                Some(bytes) => return Err(misshapen(&said, asked, bytes).into()),
             }
         }
     }
@@ -311,5 +311,13 @@ fn untold(param: &Param, bits: u32, kind: Type, blank: &Reading) -> Reading {
         Some(16) if is_word => Reading { raw: value::from_wire(low, kind, param.min), ..blank.clone() },
         Some(32) => Reading { raw: value::from_wire(bits, kind, param.min), ..blank.clone() },
         _ => Reading { raw: value::from_wire(bits, Type::Long, None), kind: Type::Long, ..blank.clone() },
+    }
+}
+
+/// What an answer is whose value has no form: disturbed, or over SDO announced in pieces.
+fn misshapen(said: &Said, asked: u8, bytes: Vec<u8>) -> ExchangeError {
+    match said {
+        Said::Sdo(_) => ExchangeError::Pieces { asked },
+        _ => ExchangeError::Garbled { asked, bytes },
     }
 }

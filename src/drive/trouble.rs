@@ -1,5 +1,6 @@
 //! What went wrong, said in both languages, with what to do next.
 
+mod aborts;
 mod advice;
 mod port;
 
@@ -101,6 +102,7 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
             "die Antwort mit der Ursache ging verloren, und Lesen löscht sie: noch einmal versuchen; `antrieb diag line` zeigt, warum \
              Antworten verloren gehen"
         ),
+        None if let No::Abort(code) = refusal.no => aborts::hint(code),
         None => both!(
             "the drive gave no cause; check the function code, the parameter and the value",
             "der Antrieb nennt keine Ursache; Funktionscode, Parameter und Wert prüfen"
@@ -147,6 +149,7 @@ fn sorted(error: &ExchangeError, address: u8) -> (Class, &'static str) {
         ExchangeError::Unreached => (Class::Silence, "silence.gateway"),
         ExchangeError::Garbled { .. } => (Class::Garbled, "garbled.no_valid_reply"),
         ExchangeError::Short { .. } => (Class::Garbled, "garbled.short"),
+        ExchangeError::Pieces { .. } => (Class::Garbled, "garbled.in_pieces"),
         ExchangeError::Stray { station } if *station == address => (Class::Garbled, "garbled.wrong_answer"),
         ExchangeError::Stray { .. } => (Class::Garbled, "garbled.wrong_responder"),
         ExchangeError::NeverSilent { .. } => (Class::Garbled, "garbled.never_silent"),
@@ -171,6 +174,13 @@ fn said(error: &ExchangeError, address: u8) -> Text {
             both!(
                 "answers with {bytes} bytes, where every SDO has 8",
                 "antwortet mit {bytes} Bytes, wo jedes SDO 8 hat"
+            ),
+            Some(*asked),
+        ),
+        ExchangeError::Pieces { asked } => (
+            both!(
+                "answers that the value follows in pieces, which no drive does: all that it has fits in one frame",
+                "kündigt den Wert in Teilstücken an, was kein Umrichter tut: bei ihm passt alles in einen Frame"
             ),
             Some(*asked),
         ),

@@ -19,7 +19,9 @@ impl Target {
         if refusal(&rows).is_some_and(Refusal::is_of_width) {
             return self.read_all(session, &doubted(param), asked).await;
         }
-        let garbled = |row: &Result<_, _>| matches!(row, Err(AccessError::Exchange(ExchangeError::Garbled { .. })));
+        let garbled = |row: &Result<_, _>| {
+            matches!(row, Err(AccessError::Exchange(ExchangeError::Garbled { .. } | ExchangeError::Pieces { .. })))
+        };
         let garbled = rows.iter().find(|(_, row)| garbled(row)).map(|(set, _)| *set);
         let is_open = self.known_width(param.id).is_none_or(|known| Some(known) == param.kind);
         let is_told = tells_width(session) && is_open;

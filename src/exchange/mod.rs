@@ -188,6 +188,12 @@ pub enum ExchangeError {
         /// Its bytes.
         bytes: u8,
     },
+    /// The station announced over SDO that the value follows in pieces.
+    #[error("a value in pieces, asked {asked} times")]
+    Pieces {
+        /// How often it was asked.
+        asked: u8,
+    },
     /// A gateway says that the station did not answer it.
     #[error("the gateway got no answer from the station")]
     Unreached,
@@ -232,6 +238,7 @@ impl ExchangeError {
         if let ExchangeError::Silence { asked, .. }
         | ExchangeError::Garbled { asked, .. }
         | ExchangeError::Short { asked, .. }
+        | ExchangeError::Pieces { asked }
         | ExchangeError::NeverSilent { asked }
         | ExchangeError::Unproven { asked }
         | ExchangeError::NoTime { asked } = &mut self

@@ -163,6 +163,9 @@ pub struct Identify {
 pub struct Identity {
     /// Address.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Family, or `unknown`.
     pub drive: String,
     /// Title of the family.
@@ -202,6 +205,9 @@ pub struct Diag {
 pub struct Diagnosis {
     /// Address.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Family.
     pub drive: String,
     /// Whether neither fault nor warning is present.

@@ -158,6 +158,9 @@ impl TelegramDoc {
 pub struct CanDoc {
     /// Interface that it came from, where a recording tells it.
     pub interface: Option<String>,
+    /// Whether this program sent it, where a recording of its own tells it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sent: Option<bool>,
     /// Its identifier; null for what was never on the bus.
     pub identifier: Option<u32>,
     /// By the predefined connection set: `nmt`, `sync`, `emergency`, `tx_pdo`, `rx_pdo`, `sdo_request`, `sdo_reply`, `boot_up`,

@@ -56,11 +56,12 @@ impl Mode {
         }
     }
 
-    /// From which voltage on it takes a signal.
+    /// From which voltage on it takes a signal (EM-RES-03 manual 6.1.2; mode 21 is limited to 20 to 100 % of it).
     pub fn begins(self) -> f64 {
         match self {
             Mode::Bipolar | Mode::Absolute => -FULL,
-            Mode::Unipolar | Mode::From2V => 0.0,
+            Mode::Unipolar => 0.0,
+            Mode::From2V => LIVE_ZERO,
         }
     }
 
@@ -170,6 +171,12 @@ mod tests {
         }
         assert!((of(WIDE, Mode::Bipolar).at(-7.0) + 50.0).abs() < 1e-9);
         assert!((of(WIDE, Mode::Absolute).at(-7.0) - 50.0).abs() < 1e-9);
+    }
+
+    /// Below 2 V mode 21 takes nothing (6.1.2: limited to 20 to 100 %).
+    #[test]
+    fn a_mode_begins_where_it_takes_a_signal() {
+        assert_eq!(Mode::ALL.map(Mode::begins), [-10.0, 0.0, 2.0, -10.0]);
     }
 
     #[test]

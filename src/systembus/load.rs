@@ -93,6 +93,12 @@ impl Load {
         self.0 > Self::percent(percent).0
     }
 
+    /// As it is shown; with more digits where these would be the limit itself that it exceeds.
+    pub fn beyond(self, percent: u8) -> String {
+        let shown = self.to_string();
+        if shown == percent.to_string() && self.exceeds(percent) { self.rounded().to_string() } else { shown }
+    }
+
     /// What the manual says of a whole bus (5.14.3): up to 80 % okay, up to 90 % critical, above it not feasible.
     pub fn verdict(self) -> Verdict {
         match self {

@@ -283,3 +283,14 @@ proptest! {
         let _ = from_dcf(&[("x".to_owned(), format!("[0384]\nParameterValue={text}\n{text}"))]);
     }
 }
+
+/// A load that is more than the limit and rounds to it is shown with the digits that tell it.
+#[test]
+fn a_load_just_above_a_limit_is_not_shown_as_the_limit() {
+    let load = |every_ms: &[u32]| Budget::new(Rate::of_kbd(1000).unwrap(), every_ms.iter().copied().map(Some)).total;
+    // 140 us each: 14 % every ms, so six are 84, and the rest 6.02.
+    let total = load(&[1, 1, 1, 1, 1, 1, 5, 5, 50, 100]);
+    assert!(total.exceeds(90) && total.to_string() == "90", "{total} {}", total.rounded());
+    assert_eq!(total.beyond(90), "90.02");
+    assert_eq!((load(&[1]).beyond(90), load(&[1]).beyond(80)), ("14".to_owned(), "14".to_owned()));
+}

@@ -166,6 +166,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::session",
             "drive::session::keeping",
             "drive::session::on_bus",
+            "drive::sniff::bus",
             "drive::target",
             "drive::terms",
             "drive::transfer",

@@ -67,6 +67,7 @@ mod line {
     mod searching;
     mod seeking;
     mod sniffing;
+    mod sniffing_bus;
     mod talkers;
     mod tape;
     mod twins;

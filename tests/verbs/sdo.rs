@@ -289,3 +289,19 @@ fn what_a_refusal_leaves_open_is_read_back() {
         }
     }
 }
+
+/// The drive that answers as 64 is the master: nothing else is said of a master then.
+#[test]
+fn a_scan_that_finds_the_master_drive_says_so() {
+    let quiet = bus("") + &MASTER.replace("\"919\" = 100", "\"919\" = 0, \"904\" = 50000");
+    let run = antrieb("--protocol sdo scan").on(&quiet).json().exits(0);
+    let codes: Vec<_> = run.value["warnings"].as_array().unwrap().iter().map(|row| row["code"].clone()).collect();
+    assert_eq!(codes, ["scan.master_drive"]);
+    let told = run.value["warnings"][0]["message"].as_str().unwrap();
+    assert!(told.contains("64 is node 0") && told.contains("-a master"), "{told}");
+    let both = antrieb("--protocol sdo -a master,5 read 900").on(&quiet).json().exits(0);
+    let raw: Vec<_> = both.data("/values").as_array().unwrap().iter().map(|row| row["raw"].clone()).collect();
+    assert_eq!(raw, [0, 5]);
+    let serial = antrieb("-a 1,master read 900").on("[[drive]]\nmodel = \"acu\"\n").exits(2).err;
+    assert!(serial.contains("CAN bus"), "{serial}");
+}

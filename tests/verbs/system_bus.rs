@@ -352,3 +352,27 @@ fn a_bus_that_loses_frames_gets_its_plan_all_the_same() {
     let bus = witness::left_can().unwrap();
     assert_eq!([924, 936, 941].map(|param| bus.eeprom(1, param, 0)), [Some(385), Some(1), Some(40)]);
 }
+
+/// A node behind a drive is told by the address that was typed.
+#[test]
+fn a_node_behind_a_drive_is_told_with_its_node() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 3\nprotocol = \"vabus\"\nmodules = [\"EM-RES-03\"]\n\
+                 nodes = [{ id = 17, model = \"acu\", modules = [\"EM-RES-03\"] }]\n";
+    let on = |line: &str| antrieb(&format!("--protocol vabus -a 3.17 {line}")).on(bench);
+    for (line, exit) in [("identify", 0), ("diag", 0), ("systembus show", 0), ("write 480@1=6Hz 480@2=6Hz --yes", 0)] {
+        let run = on(line).exits(exit);
+        assert!(run.out.contains("3.17") || line.starts_with("write"), "{line}: {}", run.out);
+    }
+    assert!(on("--lang de identify").exits(0).out.starts_with("Antrieb 3.17 ("));
+    assert_eq!(on("identify").json().exits(0).data("/drives/0/node"), 17);
+    assert_eq!(on("diag").json().exits(0).data("/drives/0/node"), 17);
+    let own = antrieb("--protocol vabus -a 3 identify").on(bench).json().exits(0);
+    assert_eq!(own.data("/drives/0").get("node"), None);
+    // It has the number that it is reached by.
+    assert_eq!(on("read 900").json().exits(0).data("/values/0/raw"), 17);
+    let refused = on("--drive acu read 1234").json().exits(6);
+    assert!(refused.error()["message"].as_str().unwrap().starts_with("drive 3.17 refused"), "{}", refused.error());
+    assert_eq!(refused.error()["context"]["node"], "17");
+    let rows = on("monitor 480 --count 1 --format table").exits(0).out;
+    assert!(rows.lines().nth(1).unwrap().contains(" 3.17 "), "{rows}");
+}

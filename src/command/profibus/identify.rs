@@ -61,6 +61,7 @@ pub(in crate::command) async fn identify(slave: &SlaveArgs, context: &mut Contex
     let evidence = said.into_iter().chain(done.is_ok().then_some(series)).collect();
     let title = registry.drives().into_iter().find(|drive| drive.id == family.drive);
     let drives = vec![Identity {
+        node: 0,
         address,
         drive: if succeeded > 0 { family.drive.clone() } else { "unknown".to_owned() },
         title: title.map_or_else(Text::default, |drive| drive.title.clone()),

@@ -37,7 +37,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, Failure> {
     let pdos = budget.charges.iter().filter_map(charge).collect();
     let total = total(&budget);
     let failure = (budget.total.verdict() == Verdict::NotFeasible).then(|| {
-        let shown = &total.shown;
+        let shown = budget.total.beyond(90);
         Failure::new(
             Class::No,
             "no.bus_load",

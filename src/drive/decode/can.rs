@@ -3,7 +3,7 @@
 //! An identifier says only what it is for by the predefined connection set: drives may have been given others (P.918, P.921 to
 //! P.929), so of a PDO nothing is claimed but its bytes.
 
-mod names;
+pub(super) mod names;
 mod recording;
 mod sdo;
 
@@ -32,6 +32,8 @@ struct Told {
     data_set: Option<u8>,
     raw: Option<i64>,
     is_right: bool,
+    /// It is an answer that refuses.
+    refuses: bool,
     meaning: Text,
     fields: Vec<Field>,
 }
@@ -47,6 +49,7 @@ impl Told {
             data_set: None,
             raw: None,
             is_right: true,
+            refuses: false,
             meaning,
             fields: Vec::new(),
         }
@@ -76,7 +79,7 @@ impl Reader<'_> {
             if word.contains('#') {
                 return candump::what(word).map(|what| self.what(&what)).map_err(wrong);
             }
-            slcan::Word::read(word).map(|word| self.slcan(&word)).map_err(wrong)
+            slcan::Word::read(word).map(|word| self.slcan(&word, None)).map_err(wrong)
         };
         match told.is_empty() {
             true => Err(names::empty()),
@@ -103,12 +106,12 @@ impl Reader<'_> {
         }
     }
 
-    /// A word of SLCAN: a frame, or what is said to the adapter.
-    fn slcan(&self, word: &slcan::Word) -> TelegramDoc {
+    /// A word of SLCAN: a frame, or what is said to the adapter, or by it, where it is known who said it (`sent` by us).
+    fn slcan(&self, word: &slcan::Word, sent: Option<bool>) -> TelegramDoc {
         match word {
             slcan::Word::Frame { frame, .. } => self.frame(frame),
             other => {
-                let (direction, meaning) = names::adapter(other);
+                let (direction, meaning) = names::adapter(other, sent == Some(true));
                 let told = Told { direction: Some(direction), ..Told::new("adapter", meaning) };
                 document(told, None, other.to_string().escape_default().to_string())
             }
@@ -206,10 +209,12 @@ fn document(told: Told, identifier: Option<Identifier>, hex: String) -> Telegram
     TelegramDoc {
         direction: told.direction,
         address: told.node,
+        refuses: told.refuses,
         meaning: told.meaning,
         fields: told.fields,
         can: Some(CanDoc {
             interface: None,
+            sent: None,
             identifier: identifier.map(Identifier::number),
             service: told.service,
             channel: told.channel,

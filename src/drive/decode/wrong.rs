@@ -1,5 +1,6 @@
 //! What `protocol` refuses and what a slave answers with, in both languages.
 
+use super::can::names::reason;
 use crate::protocol::can::sdo::AbortCode;
 use crate::protocol::modbus::pdu::{Exception, PduError};
 use crate::protocol::modbus::{FrameError, MAX_PDU};
@@ -15,7 +16,10 @@ pub(in crate::drive) fn exception(exception: Exception) -> Text {
 pub(in crate::drive) fn abort(code: u32) -> Text {
     match AbortCode(code).of_a_drive() {
         Some(_) => both!("SDO abort", "SDO-Abbruch"),
-        None => both!("SDO abort {code:08X}h", "SDO-Abbruch {code:08X}h"),
+        None => match reason(code) {
+            Some(why) => both!("SDO abort {code:08X}h ({why})", "SDO-Abbruch {code:08X}h ({why})", why),
+            None => both!("SDO abort {code:08X}h", "SDO-Abbruch {code:08X}h"),
+        },
     }
 }
 

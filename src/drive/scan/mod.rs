@@ -183,6 +183,6 @@ pub async fn scan(session: &mut Session<'_>, plan: &ScanPlan, registry: &Registr
     let mut search = Search::new(session, plan, registry);
     let cut = search.run().await.err();
     let mut result = search.ended(cut);
-    result.warnings.extend(on_bus::no_proof(session));
+    result.warnings.extend(on_bus::about_master(session, &result.drives));
     result
 }

@@ -4,6 +4,7 @@ use super::look::stranger;
 use super::plan::ScanPlan;
 use super::search::unsearched;
 use super::{ScanResult, Session, Tuning};
+use crate::drive::can::is_master;
 use crate::exchange::can::Sign;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Evidence, FoundDrive, Warning};
@@ -80,13 +81,22 @@ fn tells(sign: Sign) -> Text {
     }
 }
 
-/// That no master was heard is no proof.
-pub(super) fn no_proof(session: &Session<'_>) -> Option<Warning> {
+/// Whether there is a master: the drive that answers as node 0 is one; that none was heard is no proof.
+pub(super) fn about_master(session: &Session<'_>, found: &[FoundDrive]) -> Option<Warning> {
     let is_quiet = !session.traffic()?.has_master;
+    let warning = |code: &str, message: Text| Warning { code: code.to_owned(), message };
+    if let Some(station) = found.iter().map(|drive| drive.address).find(|station| is_master(*station)) {
+        let message = both!(
+            "{station} is node 0, so this drive is the master of the bus: it starts the nodes and beats the time; it is reached as -a master",
+            "{station} ist Knoten 0, dieser Umrichter ist also der Master des Busses: er startet die Knoten und gibt den Takt; erreichbar \
+             ist er als -a master"
+        );
+        return Some(warning("scan.master_drive", message));
+    }
     let message = both!(
         "no master was heard, which is no proof that there is none: a drive that is the master may say nothing for {LONGEST_PAUSE} (P.904)",
         "es war kein Master zu hören, was nicht beweist, dass es keinen gibt: ein Umrichter, der Master ist, schweigt bis zu \
          {LONGEST_PAUSE} (P.904)"
     );
-    is_quiet.then(|| Warning { code: "scan.no_master_heard".to_owned(), message })
+    is_quiet.then(|| warning("scan.no_master_heard", message))
 }

@@ -15,8 +15,12 @@ impl<'a> Session<'a> {
     /// The frames that come until a moment, as soon as there are any, on a bus that is only listened to.
     pub(in crate::drive) async fn frames(&mut self, until: Tick) -> Result<Vec<Frame>, AccessError> {
         self.hear(until).await?;
-        let taken = |ear: &crate::drive::can::Ears| ear.borrow_mut().frames.drain(..).collect();
-        Ok(self.ears.as_ref().map(taken).unwrap_or_default())
+        Ok(self.heard_frames().unwrap_or_default())
+    }
+
+    /// The frames that were heard and not taken yet; `None` on what is no bus that is only listened to.
+    pub(in crate::drive) fn heard_frames(&self) -> Option<Vec<Frame>> {
+        self.ears.as_ref().map(|ear| ear.borrow_mut().frames.drain(..).collect())
     }
 
     /// Frames that came faster than they were taken.

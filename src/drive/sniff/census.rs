@@ -1,4 +1,5 @@
 //! What is heard on a line, station by station: who is asked, who answers, how fast, how often again, and how full the line is.
+//! On a CAN bus several are asked at once, each on a lane of its own, and the time of a frame is that of its bits.
 //!
 //! A serial adapter hands bytes over in pieces, so times are those of its driver. What came in one piece has no pause that anybody
 //! could know, and is not counted as one.
@@ -16,15 +17,19 @@ pub(super) struct Census {
     garbled: u64,
     bytes: u64,
     stations: BTreeMap<u8, Tally>,
-    open: Option<Open>,
+    /// Questions by their lane.
+    open: BTreeMap<Lane, Open>,
     /// When the last byte of the last telegram came.
     last: Option<Tick>,
 }
 
+/// Where at most one question is open: the whole of a line, or an SDO of a node.
+pub(super) type Lane = u16;
+
 /// What holds on a line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms {
-    /// A thousand characters on it.
+    /// A thousand characters on it; where length is counted in microseconds, those.
     pub(super) thousand: Span,
     /// The pause that must lie between two telegrams, where silences part them.
     pub(super) pause: Option<Span>,
@@ -53,6 +58,8 @@ pub(super) struct Came {
     pub(super) bytes: u64,
     /// Whether it is a request or a reply is not told by its bytes.
     pub(super) alike: bool,
+    /// Where it is asked and answered.
+    pub(super) lane: Lane,
 }
 
 /// A question that is not answered yet.
@@ -98,21 +105,26 @@ const TENTH_MS: u64 = 100;
 
 impl Census {
     pub(super) fn new(terms: Terms, began: Tick) -> Self {
-        let (stations, open, last) = (BTreeMap::new(), None, None);
+        let (stations, open, last) = (BTreeMap::new(), BTreeMap::new(), None);
         Census { terms, began, heard: 0, garbled: 0, bytes: 0, stations, open, last }
+    }
+
+    /// Counts what nobody asks and nobody answers.
+    pub(super) fn passes(&mut self, doc: &TelegramDoc, bytes: u64) {
+        self.heard += 1;
+        self.garbled += u64::from(!doc.check_ok);
+        self.bytes += bytes;
     }
 
     /// Counts a telegram, or what is none.
     pub(super) fn note(&mut self, doc: &TelegramDoc, came: Came) {
-        self.heard += 1;
-        self.garbled += u64::from(!doc.check_ok);
-        self.bytes += came.bytes;
+        self.passes(doc, came.bytes);
         // Where nothing of it came with what was before, its first byte began so long before it was handed over.
         let start = Tick::from_micros(came.first.as_micros().saturating_sub(self.terms.chars(came.piece).as_micros()));
         let pause = self.last.replace(came.last).filter(|last| came.first > *last).map(|last| start.since(last));
         let Some(address) = doc.address.filter(|_| doc.check_ok) else {
             // What names nobody and is whole, a token, disturbed nothing.
-            if let Some(open) = self.open.as_ref().filter(|_| !doc.check_ok) {
+            if let Some(open) = self.open.get(&came.lane).filter(|_| !doc.check_ok) {
                 self.stations.entry(open.address).or_default().check_errors += 1;
             }
             return;
@@ -121,11 +133,11 @@ impl Census {
         let is_short = |pause: Span| self.terms.pause.is_some_and(|needed| pause.times(2) < needed);
         let short = u64::from(pause.is_some_and(is_short));
         self.stations.entry(address).or_default().short_pauses += short;
-        let answers = self.open.as_ref().is_some_and(|open| open.address == address);
+        let answers = self.open.get(&came.lane).is_some_and(|open| open.address == address);
         match doc.direction {
-            Some("request") => self.asked(address, doc, came.last),
-            None if !answers => self.asked(address, doc, came.last),
-            None => self.doubts(address, came.last),
+            Some("request") => self.asked(address, doc, came),
+            None if !answers => self.asked(address, doc, came),
+            None => self.doubts(address, came),
             _ => self.answered(address, doc, start, came),
         }
     }
@@ -137,16 +149,16 @@ impl Census {
     }
 
     /// The reply to what is open, late, or the same request once more.
-    fn doubts(&mut self, address: u8, at: Tick) {
+    fn doubts(&mut self, address: u8, came: Came) {
         self.stations.entry(address).or_default().either += 1;
-        if let Some(open) = &mut self.open {
-            (open.at, open.doubts) = (at, open.doubts + 1);
+        if let Some(open) = self.open.get_mut(&came.lane) {
+            (open.at, open.doubts) = (came.last, open.doubts + 1);
         }
     }
 
-    fn asked(&mut self, address: u8, doc: &TelegramDoc, at: Tick) {
+    fn asked(&mut self, address: u8, doc: &TelegramDoc, came: Came) {
         self.stations.entry(address).or_default().requests += 1;
-        let again = match self.open.take() {
+        let again = match self.open.remove(&came.lane) {
             Some(open) => {
                 self.missed(&open);
                 let is_same = open.address == address && open.hex == doc.hex && open.doubts == 0;
@@ -154,12 +166,15 @@ impl Census {
             }
             None => 0,
         };
-        self.open =
-            (address != self.terms.everybody).then(|| Open { address, hex: doc.hex.clone(), at, again, doubts: 0 });
+        if address != self.terms.everybody {
+            let open = Open { address, hex: doc.hex.clone(), at: came.last, again, doubts: 0 };
+            self.open.insert(came.lane, open);
+        }
     }
 
     fn answered(&mut self, address: u8, doc: &TelegramDoc, start: Tick, came: Came) {
-        let mut open = self.open.take_if(|open| open.address == address);
+        let is_its = self.open.get(&came.lane).is_some_and(|open| open.address == address);
+        let mut open = is_its.then(|| self.open.remove(&came.lane)).flatten();
         if let Some(open) = open.as_mut().filter(|open| open.doubts > 0) {
             // So the last one in doubt was the request; and the one before, if nothing else lies between, was not answered.
             let tally = self.stations.entry(address).or_default();
@@ -205,15 +220,12 @@ impl Census {
     pub(super) fn count(&self, now: Tick) -> SniffCount {
         let (listened, busy) = (now.since(self.began).as_micros(), self.terms.chars(self.bytes).as_micros());
         let tenths = (busy.saturating_mul(1_000)).checked_div(listened).unwrap_or(0).min(1_000);
-        let waiting = self.open.as_ref();
-        let is_late = |address: u8| {
-            waiting.is_some_and(|open| {
-                open.address == address && open.doubts == 0 && now.since(open.at) > self.terms.patience
-            })
+        let waiting = |address: u8| self.open.values().filter(move |open| open.address == address);
+        let is_late = |open: &&Open| open.doubts == 0 && now.since(open.at) > self.terms.patience;
+        let station = |(&address, tally): (&u8, &Tally)| {
+            let again = waiting(address).map(|open| open.again).filter(|again| *again > 0);
+            tally.told(address, waiting(address).filter(is_late).count() as u64, again.collect())
         };
-        let again =
-            |address: u8| waiting.filter(|open| open.address == address && open.again > 0).map(|open| open.again);
-        let station = |(&address, tally): (&u8, &Tally)| tally.told(address, is_late(address), again(address));
         SniffCount {
             t: Decimal { raw: i64::try_from(listened).unwrap_or(i64::MAX), decimals: 6 },
             heard: self.heard,
@@ -242,14 +254,14 @@ impl Tally {
         until.next().map(|(tenths, _)| tenths * TENTH_MS)
     }
 
-    fn told(&self, address: u8, is_late: bool, again: Option<u64>) -> SniffedStation {
+    fn told(&self, address: u8, late: u64, again: Vec<u64>) -> SniffedStation {
         let mut repeats = self.again.clone();
         again.into_iter().for_each(|times| *repeats.entry(times).or_default() += 1);
         SniffedStation {
             address,
             requests: self.requests,
             replies: self.replies,
-            unanswered: self.unanswered + u64::from(is_late),
+            unanswered: self.unanswered + late,
             either: self.either,
             exceptions: self.exceptions,
             repeats: repeats.into_iter().map(|(times, questions)| Repeats { times, questions }).collect(),
@@ -280,7 +292,7 @@ mod tests {
     /// Handed over in one piece at this time.
     fn at(ms: u64, bytes: u64) -> Came {
         let at = Tick::from_micros(ms * 1_000);
-        Came { first: at, piece: bytes, last: at, bytes, alike: false }
+        Came { first: at, piece: bytes, last: at, bytes, alike: false, lane: 0 }
     }
 
     #[test]

@@ -26,6 +26,11 @@ impl Filter {
     pub fn lets(&self, doc: &TelegramDoc) -> bool {
         self.0.iter().all(|(is_so, word)| word.is_true(doc) == *is_so)
     }
+
+    /// Whether it names a function code, which only Modbus has.
+    pub fn names_function(&self) -> bool {
+        self.0.iter().any(|(_, word)| matches!(word, Word::Function(_)))
+    }
 }
 
 impl Word {

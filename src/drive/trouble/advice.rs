@@ -17,7 +17,14 @@ const WHO_ANSWERS: Text = Text::new(
     "-v zeigt die Telegramme; ist es ein Antrieb dieser Familie, oder ist ein zweiter Master am Bus?",
 );
 
-const ADVICE: [(&str, Text); 26] = [
+const ADVICE: [(&str, Text); 27] = [
+    (
+        "garbled.in_pieces",
+        Text::new(
+            "is it a drive (-a)? A node of another maker may answer there; `antrieb sniff` shows what it says",
+            "Ist es ein Umrichter (-a)? Dort antwortet vielleicht ein Knoten eines anderen Herstellers; `antrieb sniff` zeigt, was er sagt",
+        ),
+    ),
     (
         "silence.no_reply",
         Text::new(

@@ -10,6 +10,7 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
         lang: page.manner.lang,
         width: page.manner.width,
         full: page.manner.full,
+        node: page.manner.node,
     });
     // Nothing slips through, whichever cell it stands in.
     let lines: Vec<String> = text.split('\n').map(clean).collect();

@@ -36,7 +36,7 @@ impl Page {
             };
             let refusal = report.error_register.as_ref().filter(is_told);
             let refusal = refusal.map_or_else(|| "-".to_owned(), |it| format!("{} {}", it.code, self.say(&it.name)));
-            let head = [report.address.to_string(), self.family(&report.drive).to_owned()];
+            let head = [self.address(report.address), self.family(&report.drive).to_owned()];
             head.into_iter().chain(found).chain(refused.then_some(refusal)).collect()
         };
         let rows = diag.drives.iter().map(row).collect();
@@ -45,7 +45,7 @@ impl Page {
         let missing = diag.drives.iter().filter(|report| !report.missing.is_empty());
         let missing = missing.map(|report| {
             let texts = report.missing.iter().map(|text| self.say(text)).collect::<Vec<_>>();
-            vec![report.address.to_string(), self.word("missing").to_owned(), texts.join("; ")]
+            vec![self.address(report.address), self.word("missing").to_owned(), texts.join("; ")]
         });
         match self.table(&[">", "", ""], missing.collect()) {
             none if none.is_empty() => table,

@@ -58,7 +58,7 @@ impl Page {
         let mut text =
             format!("{} {} {}\n", check.port, check.line, check.protocol) + &self.pairs(self.line_facts(check));
         for drive in &check.drives {
-            text += &format!("\n{} {}\n", self.word("drive"), drive.address);
+            text += &format!("\n{} {}\n", self.word("drive"), self.address(drive.address));
             if let Some(test) = &drive.test {
                 text += &self.pairs(self.link(test));
                 text += &self.histogram(&test.histogram);

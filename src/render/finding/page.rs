@@ -10,6 +10,14 @@ use crate::render::wrap::wrap;
 use crate::text::Text;
 use comfy_table::{CellAlignment, ContentArrangement, Table};
 
+/// An address as it is typed.
+pub(in crate::render) fn addressed(address: u8, node: u8) -> String {
+    match node {
+        0 => address.to_string(),
+        node => format!("{address}.{node}"),
+    }
+}
+
 /// How a page is written.
 #[derive(Clone, Copy)]
 pub(in crate::render) struct Page {
@@ -18,6 +26,8 @@ pub(in crate::render) struct Page {
     pub(in crate::render) width: Option<u16>,
     /// Everything that was found, not only what matters first.
     pub(in crate::render) full: bool,
+    /// Node of the system bus behind every drive that is told of; 0 is the drive itself.
+    pub(in crate::render) node: u8,
 }
 
 impl Page {
@@ -124,7 +134,12 @@ impl Page {
     }
 
     pub(super) fn heading(self, address: u8, drive: &str) -> String {
-        format!("{} {address} ({})\n", self.word("drive"), clean(self.family(drive)))
+        format!("{} {} ({})\n", self.word("drive"), self.address(address), clean(self.family(drive)))
+    }
+
+    /// An address as it is typed: `3`, and with a node of the system bus behind it `3.17`.
+    pub(super) fn address(self, address: u8) -> String {
+        addressed(address, self.node)
     }
 
     /// One row a value; the address only if there are several drives.
@@ -138,7 +153,7 @@ impl Page {
         let several = values.iter().any(|(_, value)| Some(value.address) != values.first().map(|(_, one)| one.address));
         let several = several || named;
         let rows = values.iter().map(|&(called, value)| {
-            let drive = || called.map_or_else(|| value.address.to_string(), str::to_owned);
+            let drive = || called.map_or_else(|| self.address(value.address), str::to_owned);
             let mut row = if several { vec![drive()] } else { Vec::new() };
             // Beside its copy in the EEPROM.
             let cell = |called, value: &Value| (called, value.address, value.param, value.data_set);

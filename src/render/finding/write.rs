@@ -31,7 +31,7 @@ impl Page {
                 remark.extend(row.meaning.as_ref().map(|meaning| self.say(meaning)));
             }
             vec![
-                row.address.to_string(),
+                self.address(row.address),
                 numbered(row.param, row.index),
                 set_name(row.data_set, row.store),
                 self.word(row.store).to_owned(),
@@ -70,7 +70,7 @@ impl Page {
     }
 
     fn change(self, row: &Written, last: &Written, several: bool) -> Vec<String> {
-        let address = several.then(|| row.address.to_string());
+        let address = several.then(|| self.address(row.address));
         let text = row.text.as_ref().map(|text| format!(" ({})", self.say(text)));
         let cells = [
             numbered(row.param, row.index),

@@ -64,6 +64,10 @@ pub struct Manner {
     pub color: bool,
     /// stderr is the same terminal, so a form that has all of it must show the notes itself.
     pub holds_stderr: bool,
+    /// Telegrams are frames of a CAN bus.
+    pub is_can: bool,
+    /// Node of the system bus behind every drive that is told of; 0 is the drive itself.
+    pub node: u8,
 }
 
 impl Manner {
@@ -125,9 +129,9 @@ impl<'a> Stream<'a> {
             View::Csv => Box::new(csv::Csv::new(Box::new(out), manner.lang)),
             View::Influx => Box::new(influx::Influx::new(out)),
             View::OpenMetrics => Box::new(openmetrics::OpenMetrics::new(out)),
-            View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
+            View::Lines => Box::new(lines::Lines::new(out, manner.lang, manner.node)),
             View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner)),
-            View::Pcap => Box::new(pcap::Pcap::new(Box::new(out))?),
+            View::Pcap => Box::new(pcap::Pcap::new(Box::new(out), manner.is_can)?),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
             View::Live => {
                 let (keys, ear) = Keys::new();

@@ -73,7 +73,7 @@ impl Recorder {
         let out = place()?;
         self.form = Some(match self.view {
             View::Csv => Box::new(Csv::new(out, self.manner.lang)),
-            View::Pcap => Box::new(Pcap::new(out)?),
+            View::Pcap => Box::new(Pcap::new(out, self.manner.is_can)?),
             _ => Box::new(Ndjson::new(out, self.manner.lang)),
         });
         Ok(())

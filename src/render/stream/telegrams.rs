@@ -14,6 +14,8 @@ use std::io::{self, Write};
 const TIME: usize = 12;
 /// Eight bytes, the usual question of Modbus RTU.
 const BYTES: usize = 23;
+/// A frame of CAN with eight bytes.
+const FRAME: usize = 27;
 
 pub(super) struct Telegrams<'a> {
     out: &'a mut dyn Write,
@@ -31,7 +33,7 @@ impl<'a> Telegrams<'a> {
             return Ok(());
         }
         let Manner { lang, width, .. } = self.manner;
-        writeln!(self.out, "\n{}", Page { lang, width, full: false }.sniffed(count))?;
+        writeln!(self.out, "\n{}", Page { lang, width, full: false, node: 0 }.sniffed(count))?;
         self.out.flush()
     }
 
@@ -58,7 +60,8 @@ impl<'a> Telegrams<'a> {
     fn line(&mut self, doc: &TelegramDoc) -> io::Result<()> {
         let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
         let (sign, meaning) = (direction(doc), clean(doc.meaning.get(self.manner.lang)));
-        writeln!(self.out, "{at:>TIME$}  {sign}  {:<BYTES$}  {meaning}", doc.hex)?;
+        let width = if self.manner.is_can { FRAME } else { BYTES };
+        writeln!(self.out, "{at:>TIME$}  {sign}  {:<width$}  {meaning}", doc.hex)?;
         self.out.flush()
     }
 }
@@ -78,7 +81,7 @@ impl Form for Telegrams<'_> {
             }
             Record::End(StreamEnd { summary: Some(StreamSummary::Bus(heard)), .. }) => {
                 let Manner { lang, width, .. } = self.manner;
-                writeln!(self.out, "\n{}", Page { lang, width, full: false }.bus_heard(heard))?;
+                writeln!(self.out, "\n{}", Page { lang, width, full: false, node: 0 }.bus_heard(heard))?;
                 self.out.flush()
             }
             _ => Ok(()),

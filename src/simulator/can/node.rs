@@ -61,6 +61,8 @@ pub(crate) struct Node {
     slaves: Slaves,
     /// Off the bus until then, and whether it begins anew.
     away: Option<(Tick, bool)>,
+    /// Its controller gave up, which it has told nobody yet.
+    owes_off: bool,
     errors: Errors,
     /// Writes to it are refused.
     refused: Option<u16>,
@@ -111,6 +113,7 @@ impl Node {
             process: Process::new(readings),
             slaves: Slaves::default(),
             away: None,
+            owes_off: false,
             errors: Errors::default(),
             refused: None,
             ignored: None,
@@ -243,6 +246,7 @@ impl Node {
     fn gives_up(&mut self, now: Tick, span: Span) {
         self.away = Some((now + span, true));
         self.errors = Errors::default();
+        self.owes_off = true;
         self.turn(now, State::PreOperational);
         self.device.act(now, Action::Set(CAN_STATE, 0, OFF));
         self.device.act(now, Action::Fault(Fault { number: BUS_OFF, ..Fault::default() }));
@@ -310,10 +314,15 @@ impl Node {
         self.saying.extend(frame.filter(|_| boots).map(|frame| (now, frame)));
     }
 
-    /// A fault that came or was acknowledged is told at that time (manual 5.8.3, 5.9.3), behind BUS-OFF when the bus is there again.
+    /// A fault that came or was acknowledged is told at that time (manual 5.8.3, 5.9.3), behind BUS-OFF when the bus is there again. BUS-OFF
+    /// itself is told of also by who stood in another fault already (manual 5.12).
     fn look_for_faults(&mut self, now: Tick, at: Tick) {
         let fault = self.fault_key();
-        if self.away.is_some() || fault == std::mem::replace(&mut self.fault, fault) {
+        if self.away.is_some() {
+            return;
+        }
+        let is_off = std::mem::take(&mut self.owes_off);
+        if fault == std::mem::replace(&mut self.fault, fault) && !is_off {
             return;
         }
         if fault == 0 {
@@ -322,7 +331,11 @@ impl Node {
         if self.state == State::Stopped && self.readings.has(Reading::StoppedIsMute) {
             return;
         }
-        let told = if fault == 0 { Emergency::CLEARED } else { Emergency::of_a_drive(fault) };
+        let told = match (is_off, fault) {
+            (true, _) => Emergency::of_a_drive(BUS_OFF),
+            (false, 0) => Emergency::CLEARED,
+            (false, fault) => Emergency::of_a_drive(fault),
+        };
         let identifier = self.id.and_then(|id| Service::Emergency(id).identifier());
         let frame = identifier.and_then(|identifier| Frame::data(identifier, &told.encode()));
         self.saying.extend(frame.map(|frame| (at, frame)));
@@ -354,6 +367,7 @@ impl Node {
         self.device.power_up(now, now + span);
         self.turn(now, State::PreOperational);
         self.booting = Some((now + span, true));
+        self.owes_off = false;
         self.saying.clear();
     }
 

@@ -270,6 +270,18 @@ fn behind_a_bus_off_a_node_boots_up_and_tells_of_it() {
     assert_eq!(other.ram(5, 979, 0), Some(3));
 }
 
+/// A drive that stands in a fault already tells of BUS-OFF all the same (5.12); what it shows stays the first fault.
+#[test]
+fn who_is_in_a_fault_tells_of_a_bus_off_too() {
+    let script =
+        "[[drive.event]]\nat = \"500ms\"\nfault = \"F0500\"\n[[drive.event]]\nat = \"1s\"\nbus_off = \"200ms\"\n";
+    let mut can = bus(&(drive("") + script));
+    told(&mut can, 0, STARTED, 10);
+    assert_eq!(told(&mut can, 400, "", 900), "t0858001080000000".to_owned() + "0005 ");
+    assert_eq!(told(&mut can, 900, "", 1_300), "t705100 t0858001080000000".to_owned() + "1022 ");
+    assert_eq!((can.ram(5, 979, 0), can.ram(5, 260, 0)), (Some(1), Some(0x0500)));
+}
+
 #[test]
 fn what_no_drive_takes_is_refused() {
     let refused = |more: &str, words: &str| {

@@ -18,6 +18,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::{Spanned, Value};
 
+/// The node on the system bus (EM-RES-03 manual 5.5).
+const NODE_ID: u32 = 900;
 /// Steepest ramp, 0.01 Hz/s: the range of P.424 and P.425 (CM-485 manual 11.2).
 const STEEPEST: i64 = 999_999;
 /// Heaviest load, percent of the rated torque.
@@ -130,6 +132,7 @@ impl BenchFile<'_> {
         let model = self.word("model", &row.model, &drives)?;
         let family = self.registry.family(model.name());
         let mut setup = Setup::plain(model == Model::Acu);
+        setup.values.push((NODE_ID, 0, id.into()));
         self.equip(&row.modules, &row.set, family.as_deref(), &mut setup)?;
         let place = NodeSetting { address: 1, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
         Ok(Node::new(id, Active::new(&setup, place, family.as_deref())))

@@ -143,8 +143,11 @@ fn load(plan: &Plan) -> Vec<Remark> {
             remarks.push(error("pdo_load", text));
         }
     }
-    let total = budget.total;
-    match total.verdict() {
+    let total = match budget.total.verdict() {
+        Verdict::NotFeasible => budget.total.beyond(90),
+        Verdict::Critical | Verdict::Okay => budget.total.beyond(80),
+    };
+    match budget.total.verdict() {
         Verdict::NotFeasible => remarks.push(error(
             "bus_load",
             both!(

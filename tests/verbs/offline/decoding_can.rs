@@ -159,3 +159,69 @@ fn what_an_adapter_said_is_told_word_by_word() {
     let run = antrieb("decode trace {dir}/heard --candump {dir}/bus.log").file("heard", said).exits(0);
     assert_eq!(run.text_of("bus.log"), "(0000000059.999000) can0 000#\n(0000000060.001000) can0 705#00\n");
 }
+
+/// What a verb recorded over CAN is told with its times, who said it, and in words; it becomes a log of candump.
+#[test]
+fn a_recording_of_our_own_over_can_is_told_frame_by_frame() {
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 5\n";
+    let run = antrieb("--protocol sdo -a 5 --drive acu read 411 1234 --trace {dir}/t").on(bench).exits(9);
+    let recorded = run.text_of("t");
+    assert!(recorded.starts_with("# antrieb trace 1, CAN 500 kbit/s, sdo\n"), "{recorded}");
+    let bare = recorded.split_once('\n').unwrap().1;
+    let told =
+        |line: &str| antrieb(line).file("t", &recorded).file("bare", bare).json().exits(0).data("/telegrams").clone();
+    let whole = told("decode trace {dir}/t");
+    for line in
+        ["decode trace {dir}/bare", "--protocol sdo decode trace {dir}/bare", "--protocol sdo decode trace {dir}/t"]
+    {
+        assert_eq!(told(line), whole, "{line}");
+    }
+    let rows: Vec<_> = whole.as_array().unwrap().iter().filter(|row| row["service"] != "adapter").collect();
+    let pick =
+        |row: &serde_json::Value| json!([row["service"], row["address"], row["param"], row["sent"], row["direction"]]);
+    assert_eq!(pick(rows[0]), json!(["sdo_request", 5, 411, true, "request"]));
+    assert_eq!(pick(rows[1]), json!(["sdo_reply", 5, 411, false, "reply"]));
+    assert!(rows[0]["at_us"].as_u64().unwrap() > 1_250_000, "since the port was opened: {}", rows[0]);
+    let last = rows.last().unwrap()["meaning"].as_str().unwrap();
+    assert!(last.starts_with("SDO2 node 5 (CANopen: 69): refused: P.1234@0: error 11"), "{last}");
+    assert!(whole.as_array().unwrap().iter().all(|row| row["check_ok"] == true), "{whole}");
+    let run = antrieb("decode trace {dir}/t --candump {dir}/log").file("t", &recorded).exits(0);
+    let log = run.text_of("log");
+    assert_eq!(log.lines().count(), rows.len());
+    assert!(log.lines().next().unwrap().ends_with("can0 645#409B010000000000"), "{log}");
+    assert!(run.out.contains("to the adapter: bit rate 500 kbit/s"), "{}", run.out);
+}
+
+/// Words fall apart as the adapter hands them over; what is none is marked, and the rest is told.
+#[test]
+fn a_recording_over_can_is_read_however_its_pieces_fall() {
+    let text = "# antrieb trace 1, CAN 500 kbit/s, sdo\n\
+                10 > 0D\n\
+                1000 < 74 30 30 30 32 30 31\n1200 < 30 30 0D 74 30 38 30 30 0D\n\
+                2000 < 74 30 38 35 38 30 30 31 30 38 30 30 30 30 30 30 30 30 31 32 32 0D\n\
+                3000 < 74 37 30 35 31 37 46 0D 07\n\
+                4000 < FF 00 41 0D\n\
+                # 4500 CAN 250 kbit/s\n\
+                5000 < 74 35 38 35\n";
+    let run = antrieb("decode trace {dir}/t").file("t", text).json().exits(0);
+    let rows = run.data("/telegrams").as_array().unwrap();
+    let told: Vec<_> =
+        rows.iter().map(|row| (row["at_us"].as_u64().unwrap(), row["meaning"].as_str().unwrap())).collect();
+    assert_eq!(
+        told[..6],
+        [
+            (10, "to the adapter: end what was begun"),
+            (1_000, "NMT: to all nodes: Start Remote Node (PDOs begin, which can release a drive)"),
+            (1_200, "SYNC"),
+            (2_000, "node 5: fault F2201 System bus timeout RxPDO1"),
+            (3_000, "node 5: heartbeat, Pre-Operational; the drives send none"),
+            (3_000, "adapter: refused (BEL)"),
+        ]
+    );
+    assert_eq!((told.len(), &rows[6]["check_ok"], &rows[7]["check_ok"]), (8, &json!(false), &json!(false)));
+    let broken = antrieb("decode trace {dir}/t").file("t", &format!("{text}6000 < 7")).json().exits(7);
+    assert!(broken.error()["message"].as_str().unwrap().contains("line 10: expected"), "{}", broken.error());
+    let packed = antrieb("decode trace {dir}/t").file("t", text);
+    std::fs::write(packed.directory().join("t"), [0x1F, 0x8B, 8, 0, 0]).unwrap();
+    assert!(packed.json().exits(7).error()["message"].as_str().unwrap().contains("packed with gzip"));
+}

@@ -241,7 +241,7 @@ fn no_english_and_no_bracketed_plural_is_left_in_german() {
 #[test]
 fn what_a_line_does_not_speak_has_another_verb() {
     for (line, hint) in [
-        ("-p sim --protocol sdo sniff --duration 1s", "systembus monitor`"),
+        ("-p sim --protocol sdo -a 3 statemachine enable --yes", "serial plug"),
         ("-p sim --protocol dp -a 3 statemachine switch-on --yes", "statemachine enable --hold`"),
         ("-p sim --protocol dp -a 3 statemachine enable --yes", "sollwert 20Hz --enable --hold`"),
     ] {

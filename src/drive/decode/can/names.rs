@@ -122,10 +122,14 @@ pub(super) fn strange(command: u8) -> Text {
 
 /// Abort codes of CiA 301 (table 22).
 pub(super) fn abort(code: u32) -> Text {
-    let known = ABORTS.iter().find(|row| row.0 == code).map(|row| &row.1);
     let unknown = both!("unknown reason", "unbekannter Grund");
-    let why = known.unwrap_or(&unknown);
+    let why = reason(code).unwrap_or(&unknown);
     both!("abort code {code:08X}h, {why}", "Abbruchcode {code:08X}h, {why}", why)
+}
+
+/// What such a code says.
+pub(in crate::drive::decode) fn reason(code: u32) -> Option<&'static Text> {
+    ABORTS.iter().find(|row| row.0 == code).map(|row| &row.1)
 }
 
 const ABORTS: &[(u32, Text)] = &[
@@ -176,9 +180,10 @@ const TROUBLES: &[(u32, Text)] = &[
     (0x100, Text::new("controller begins anew", "Controller beginnt neu")),
 ];
 
-/// What is said to an SLCAN adapter, or by it.
-pub(super) fn adapter(word: &Word) -> (&'static str, Text) {
+/// What is said to an SLCAN adapter, or by it; a bare end of line is either, and is told by who said it.
+pub(super) fn adapter(word: &Word, is_sent: bool) -> (&'static str, Text) {
     let said = match word {
+        Word::Done if is_sent => both!("end what was begun", "Angefangenes beenden"),
         Word::Frame { .. } => both!("a frame", "ein Frame"),
         Word::Rate(number) => {
             let rate = RATES.get(usize::from(*number)).copied().unwrap_or_default();

@@ -16,11 +16,12 @@ struct Said {
     of: Option<Multiplexer>,
     raw: Option<i64>,
     fields: Vec<Field>,
+    refuses: bool,
 }
 
 impl Said {
     fn bare(meaning: Text) -> Self {
-        Said { meaning, of: None, raw: None, fields: Vec::new() }
+        Said { meaning, of: None, raw: None, fields: Vec::new(), refuses: false }
     }
 }
 
@@ -128,7 +129,7 @@ impl Reader<'_> {
             field(&[of.sub], both!("sub-index", "Subindex"), names::set(of.sub)),
         ];
         fields.extend(value.map(|value| field(&[], both!("value", "Wert"), value)));
-        Said { meaning, of: Some(of), raw: None, fields }
+        Said { meaning, of: Some(of), raw: None, fields, refuses: false }
     }
 
     /// An abort: of a drive its error register's code, else one of CiA 301.
@@ -143,7 +144,7 @@ impl Reader<'_> {
         };
         let subject = self.subject_of(of);
         let meaning = both!("{how}: {subject}: {why}", "{how}: {subject}: {why}", how, subject, why);
-        Said { raw: Some(code.0.into()), ..self.about(of, meaning, Some(why)) }
+        Said { raw: Some(code.0.into()), refuses: true, ..self.about(of, meaning, Some(why)) }
     }
 }
 
@@ -192,6 +193,7 @@ fn told(channel: SdoChannel, node: u8, service: &'static str, said: Result<Said,
                 param: said.of.map(|of| of.index.into()),
                 data_set: said.of.map(|of| of.sub),
                 raw: said.raw,
+                refuses: said.refuses && service == "sdo_reply",
                 fields,
                 ..Told::new(service, Text::join([&whose, &said.meaning], ": "))
             }

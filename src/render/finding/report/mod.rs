@@ -15,7 +15,7 @@ use crate::render::clean;
 
 /// A report as the text of a file.
 pub fn sheet(report: &Report, form: Form, lang: Lang) -> String {
-    let paper = Page { lang, width: None, full: false }.paper(report);
+    let paper = Page { lang, width: None, full: false, node: 0 }.paper(report);
     match form {
         Form::Html => html::print(&paper),
         Form::Markdown => markdown::print(&paper),
