@@ -32,7 +32,7 @@ pub(super) fn report(
     ending: Ending,
 ) -> Outcome {
     let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
-    let Ending { is_dark, standing, coasted, changed, seen, notes, failure: left, .. } = ending;
+    let Ending { is_dark, standing, coasted, changed, seen, notes, beside, failure: left, .. } = ending;
     let because = match &done {
         Ok(()) if told.by == Some(EndedBy::Key) => "key",
         Ok(()) if told.by.is_some() => "dead-man",
@@ -42,7 +42,7 @@ pub(super) fn report(
     };
     let is_unproven = is_dark && has_turned && choice == "ramp" && standing != Some(true);
     let mut failure = match (left, done.err()) {
-        (Some(left), Some(why)) if left.code != why.code => Some(beside(left, &why)),
+        (Some(left), Some(why)) if left.code != why.code => Some(together(left, &why)),
         (left, done) => left.or(done),
     };
     failure = match failure {
@@ -81,10 +81,10 @@ pub(super) fn report(
         idle: !has_turned,
         notes: told.parting.into_iter().chain(notes).collect(),
     };
-    Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
+    Outcome { data: Some(Data::Motion(data)), warnings: beside.into_iter().collect(), failure }
 }
 
-fn beside(left: Failure, why: &Failure) -> Failure {
+fn together(left: Failure, why: &Failure) -> Failure {
     let mut left = left;
     left.message = Text::join([&left.message, &why.told()], "; ");
     left

@@ -12,7 +12,7 @@ use crate::drive::panel::Lingering;
 use crate::drive::{Panel, Stays, last_told};
 use crate::exchange::dp::{Cycle, Place, Request};
 use crate::failure::Failure;
-use crate::outcome::Change;
+use crate::outcome::{Change, Warning};
 use crate::protocol::dp::pkw::Pkw;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
@@ -45,8 +45,18 @@ pub struct Ending {
     pub seen: Option<Seen>,
     /// What is to be known of it besides.
     pub notes: Vec<Text>,
+    /// Another master was active on the line.
+    pub beside: Option<Warning>,
     /// Why it is no good end.
     pub failure: Option<Failure>,
+}
+
+impl Ending {
+    /// What is to be known of it besides, behind what decides on the motor once the slave is let go.
+    pub fn warnings(&self, parting: Option<Text>) -> Vec<Warning> {
+        let parting = parting.map(|message| Warning { code: "profibus.let_go".to_owned(), message });
+        parting.into_iter().chain(self.beside.clone()).collect()
+    }
 }
 
 impl Exchange<'_, '_> {
@@ -58,7 +68,7 @@ impl Exchange<'_, '_> {
         self.words = self.mode().coast().filter(|_| self.still.coasts).unwrap_or(self.mode().stop());
         self.pkw = Pkw::default();
         if !self.station.is_owned() {
-            return Ending::default();
+            return Ending { beside: self.told_beside(), ..Ending::default() };
         }
         self.comes_to("stopping", None);
         let mut stopped = match self.stop().await {
@@ -98,6 +108,7 @@ impl Exchange<'_, '_> {
             changed: self.lent.iter().map(changed).collect(),
             seen,
             notes: std::mem::take(&mut self.notes),
+            beside: self.told_beside(),
             failure: stopped.and(returned).and(released).err(),
         }
     }
