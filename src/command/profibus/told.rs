@@ -32,7 +32,7 @@ pub(super) fn report(
     ending: Ending,
 ) -> Outcome {
     let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
-    let Ending { is_dark, standing, coasted, changed, seen, notes, beside, failure: left, .. } = ending;
+    let Ending { is_dark, standing, coasted, changed, seen, notes, parting, beside, failure: left, .. } = ending;
     let because = match &done {
         Ok(()) if told.by == Some(EndedBy::Key) => "key",
         Ok(()) if told.by.is_some() => "dead-man",
@@ -79,7 +79,7 @@ pub(super) fn report(
         running: seen.map(|_| !is_dark).filter(|running| !running || has_turned || told.run.reached.is_some()),
         standing,
         idle: !has_turned,
-        notes: told.parting.into_iter().chain(notes).collect(),
+        notes: parting.or(told.parting).into_iter().chain(notes).collect(),
     };
     Outcome { data: Some(Data::Motion(data)), warnings: beside.into_iter().collect(), failure }
 }

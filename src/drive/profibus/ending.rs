@@ -45,6 +45,8 @@ pub struct Ending {
     pub seen: Option<Seen>,
     /// What is to be known of it besides.
     pub notes: Vec<Text>,
+    /// What decides on the motor without us, as it stands now.
+    pub parting: Option<Text>,
     /// Another master was active on the line.
     pub beside: Option<Warning>,
     /// Why it is no good end.
@@ -108,6 +110,7 @@ impl Exchange<'_, '_> {
             changed: self.lent.iter().map(changed).collect(),
             seen,
             notes: std::mem::take(&mut self.notes),
+            parting: self.parting_now(),
             beside: self.told_beside(),
             failure: stopped.and(returned).and(released).err(),
         }

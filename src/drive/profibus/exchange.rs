@@ -95,6 +95,8 @@ pub struct Exchange<'l, 'a> {
     pub(super) notes: Vec<Text>,
     /// What the slave does with the motor if it loses us: P.703 as it stands, where it was told.
     pub(super) behind: Option<u32>,
+    /// What decides on the motor without us, as it was found, and with P.703 as a run lends it.
+    pub(super) parting: Option<[Text; 2]>,
     /// What went out beside another master.
     pub(super) beside: Beside,
     /// What is shown of a run, if this is one.
@@ -141,6 +143,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             lent: Vec::new(),
             notes: Vec::new(),
             behind: None,
+            parting: None,
             beside: Beside::default(),
             shown: None,
             stays: None,
