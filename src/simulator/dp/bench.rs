@@ -300,8 +300,10 @@ impl Profibus {
             self.wire.put(Sender::Drive(slave), self.line, now, &bytes);
             self.answered += 1;
         }
-        let is_free = self.is_free();
-        if let Some((_, master)) = self.tokens.pop_front_if(|token| is_free && token.0 <= now) {
+        if self.is_free()
+            && self.tokens.front().is_some_and(|token| token.0 <= now)
+            && let Some((_, master)) = self.tokens.pop_front()
+        {
             let token = Telegram::Token { to: master, from: master }.encode();
             self.wire.put(Sender::Drive(self.slaves.len()), self.line, now, &token);
         }
