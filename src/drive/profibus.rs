@@ -2,6 +2,7 @@
 //! read and written ([`Exchange`]), and modules of an
 //! SJ2-PB in Basic mode by name, from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
 
+mod beside;
 mod described;
 mod ending;
 mod exchange;

@@ -2,6 +2,7 @@
 //! itself is asked.
 
 mod basic;
+mod beside;
 mod configured;
 mod datasets;
 mod described;

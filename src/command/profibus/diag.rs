@@ -38,12 +38,11 @@ pub(in crate::command) async fn diag(
     let mut found = SlaveDiagnosis { diagnosis: before, ..SlaveDiagnosis::default() };
     let mut report = Diagnosis { address, drive: whom.presumed.drive.clone(), ..blank };
     let exchange = Exchange::new(&mut line, address, taking, &permit);
-    let (failure, parting) = looks(exchange, (whom.named.clone(), registry), &mut report, &mut found).await;
+    let (failure, warnings) = looks(exchange, (whom.named.clone(), registry), &mut report, &mut found).await;
     report.error =
         failure.as_ref().filter(|_| report.fault_code.is_none() && report.fault.is_none()).map(ErrorDoc::from);
     report.slave = Some(found);
-    let warnings = parting.map(|message| Warning { code: "profibus.let_go".to_owned(), message });
-    Ok(Ok((report, failure, warnings.into_iter().collect())))
+    Ok(Ok((report, failure, warnings)))
 }
 
 /// Takes the slave, looks, and lets it go. What went wrong, and what decides on the motor from then on.
@@ -52,7 +51,7 @@ async fn looks(
     (named, registry): (Option<Rc<Family>>, &Registry),
     report: &mut Diagnosis,
     found: &mut SlaveDiagnosis,
-) -> (Option<Failure>, Option<Text>) {
+) -> (Option<Failure>, Vec<Warning>) {
     let mut haul = Haul::default();
     let done = async {
         let family = exchange.family(named, registry).await?;
@@ -71,7 +70,7 @@ async fn looks(
     };
     let done = done.await;
     let seen = exchange.seen();
-    let left = exchange.leave().await.failure;
+    let left = exchange.leave().await;
     let (status, values): (Vec<Value>, _) = haul.values.into_iter().partition(|value| value.param == STATUS);
     let word = status.into_iter().find_map(|value| value.word);
     report.status = word.map(|word| Word { state: seen.and_then(profibus::state), ..word });
@@ -82,8 +81,8 @@ async fn looks(
     report.fault = seen.and_then(profibus::fault);
     report.fault_code = seen.filter(|seen| !seen.is_faulted()).map(|_| 0);
     report.healthy = report.fault_code == Some(0);
-    let parting = done.as_ref().ok().cloned();
-    (left.or(done.err()), parting)
+    let warnings = left.warnings(done.as_ref().ok().cloned());
+    (left.failure.or(done.err()), warnings)
 }
 
 pub(super) fn no_right() -> Text {

@@ -7,7 +7,7 @@ use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::{profibus, summary};
 use crate::failure::Failure;
-use crate::outcome::{Data, Evidence, Identify, Identity, Outcome, Plan, Warning};
+use crate::outcome::{Data, Evidence, Identify, Identity, Outcome, Plan};
 use crate::profile::{Family, Param};
 use crate::text::{Text, both};
 
@@ -43,7 +43,7 @@ pub(in crate::command) async fn identify(slave: &SlaveArgs, context: &mut Contex
     };
     let done = done.await;
     let ident = exchange.ident();
-    let left = exchange.leave().await.failure;
+    let left = exchange.leave().await;
     let model = whom.gsd.as_ref().map(|gsd| gsd.model.clone());
     let row = |asked: Text, answered: Text, tells: Text| Evidence { asked, answered, tells };
     let said = ident.map(|ident| {
@@ -71,9 +71,8 @@ pub(in crate::command) async fn identify(slave: &SlaveArgs, context: &mut Contex
         values: haul.values,
         error: None,
     }];
-    let parting = done.as_ref().ok().cloned();
-    let warnings = parting.map(|message| Warning { code: "profibus.let_go".to_owned(), message }).into_iter().collect();
-    let failure = left.or(done.err()).or_else(|| summary(haul.failures, succeeded));
+    let warnings = left.warnings(done.as_ref().ok().cloned());
+    let failure = left.failure.or(done.err()).or_else(|| summary(haul.failures, succeeded));
     Ok(Outcome { data: Some(Data::Identify(Identify { drives })), warnings, failure })
 }
 

@@ -7,7 +7,7 @@ use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::{profibus, summary};
 use crate::failure::Failure;
-use crate::outcome::{Data, Outcome, Plan, Read, Warning};
+use crate::outcome::{Data, Outcome, Plan, Read};
 use crate::text::both;
 
 /// Reads the parameters of one inverter.
@@ -45,11 +45,10 @@ pub(in crate::command) async fn read(
         exchange.parting(&family).await
     };
     let done = done.await;
-    let left = exchange.leave().await.failure;
-    let told = done.as_ref().ok().cloned();
-    let warnings = told.map(|message| Warning { code: "profibus.let_go".to_owned(), message }).into_iter().collect();
+    let left = exchange.leave().await;
+    let warnings = left.warnings(done.as_ref().ok().cloned());
     let succeeded = haul.values.iter().filter(|value| value.error.is_none()).count();
     // What ended it counts before what is missing, and a slave that was not let go before both.
-    let failure = left.or(done.err()).or_else(|| summary(haul.failures, succeeded));
+    let failure = left.failure.or(done.err()).or_else(|| summary(haul.failures, succeeded));
     Ok(Outcome { data: Some(Data::Read(Read { values: haul.values })), warnings, failure })
 }

@@ -282,7 +282,10 @@ fn by_profidrive(wanted: Wanted, rights: &Rights, lending: Lending) -> Vec<Text>
             old = raw(rights.lost)
         ));
     }
-    if let Wanted::Hertz(_) = wanted {
+    // A motor that is held enabled at 0 is measured at nothing.
+    if let Wanted::Hertz(value) = wanted
+        && value != 0
+    {
         let maxima = rights.maxima.iter().map(|maximum| format_decimal(*maximum, 2)).collect::<Vec<_>>().join(", ");
         details.push(both!(
             "the setpoint is a part of {called} ({maxima} Hz by its raw value): it is measured at a small setpoint first",
@@ -377,7 +380,9 @@ fn dry_run(job: &Job<'_>, whom: &Whom<'_>) -> Plan {
             "P.703 wird zuerst auf 2 gesetzt, wo ein verlorener Bus den Motor nicht anhielte, und nach dem Stoppwort zurückgegeben"
         ));
     }
-    if let Action::Run(Wanted::Hertz(_)) = job.action {
+    if let Action::Run(Wanted::Hertz(value)) = job.action
+        && value != 0
+    {
         notes.push(both!(
             "the setpoint shown is the one at which the scale is measured; that of the run follows from A004 and P.611",
             "der gezeigte Sollwert ist der, bei dem der Maßstab gemessen wird; der des Laufs folgt aus A004 und P.611"

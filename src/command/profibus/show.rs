@@ -9,7 +9,7 @@ use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::profibus::{self, Exchange, Haul, WATCHDOG};
 use crate::failure::Failure;
-use crate::outcome::{Data, Outcome, StateReport, Statemachine, Warning};
+use crate::outcome::{Data, Outcome, StateReport, Statemachine};
 use crate::text::both;
 
 /// Who may control (5.1), and the status word (5.1).
@@ -47,7 +47,7 @@ pub(in crate::command) async fn show(
     };
     let done = done.await;
     let seen = exchange.seen();
-    let left = exchange.leave().await.failure;
+    let left = exchange.leave().await;
     let mut values = haul.values.into_iter();
     let (status, right) = (values.next(), values.next());
     let missing = right.as_ref().is_some_and(|right| right.raw != Some(ALLOWED)).then(no_right);
@@ -65,8 +65,7 @@ pub(in crate::command) async fn show(
         states: Vec::new(),
         error: None,
     };
-    let warning = done.as_ref().ok().cloned();
-    let warnings = warning.map(|message| Warning { code: "profibus.let_go".to_owned(), message }).into_iter().collect();
-    let failure = left.or(done.err()).or_else(|| haul.failures.into_iter().next());
+    let warnings = left.warnings(done.as_ref().ok().cloned());
+    let failure = left.failure.or(done.err()).or_else(|| haul.failures.into_iter().next());
     Ok(Outcome { data: Some(Data::Statemachine(Statemachine { drives: vec![report] })), warnings, failure })
 }

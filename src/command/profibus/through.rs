@@ -62,16 +62,17 @@ pub(in crate::command) async fn through(
             done
         }
     };
-    let left = exchange.leave().await.failure;
+    let left = exchange.leave().await;
+    let (parting, left) = (left.warnings(parting), left.failure);
     // The work knows only that the slave is gone; why, and what to do, is told by who kept it going.
     let true_one = |failure: Failure| {
         lost.clone().filter(|_| failure.is_gone() && failure.class != Class::Partial).unwrap_or(failure)
     };
     let Outcome { data, mut warnings, failure } = match done {
         Ok(outcome) => outcome,
-        Err(failure) => return Err(left.unwrap_or_else(|| true_one(failure))),
+        Err(failure) => Outcome::from(true_one(failure)),
     };
-    warnings.extend(parting.map(|message| Warning { code: "profibus.let_go".to_owned(), message }));
+    warnings.extend(parting);
     let failure = match (left, failure.map(true_one)) {
         // What was left half done in the inverter is worse than the silence of its module.
         (Some(left), Some(torn)) if torn.class == Class::Partial => {

@@ -32,7 +32,8 @@ pub(super) fn report(
     ending: Ending,
 ) -> Outcome {
     let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
-    let Ending { is_dark, standing, coasted, changed, seen, is_lost, notes, failure: left, .. } = ending;
+    let Ending { is_dark, standing, coasted, changed, seen, is_lost, notes, parting, beside, failure: left, .. } =
+        ending;
     // What it does now nobody knows whom it does not answer any more.
     let now = seen.filter(|_| !is_lost);
     let because = match &done {
@@ -44,7 +45,7 @@ pub(super) fn report(
     };
     let is_unproven = is_dark && has_turned && choice == "ramp" && standing != Some(true);
     let mut failure = match (left, done.err()) {
-        (Some(left), Some(why)) if left.code != why.code => Some(beside(left, &why)),
+        (Some(left), Some(why)) if left.code != why.code => Some(together(left, &why)),
         (left, done) => left.or(done),
     };
     failure = match failure {
@@ -82,12 +83,12 @@ pub(super) fn report(
         running: now.map(|_| !is_dark).filter(|running| !running || has_turned || told.run.reached.is_some()),
         standing,
         idle: !has_turned,
-        notes: told.parting.into_iter().chain(notes).collect(),
+        notes: parting.or(told.parting).into_iter().chain(notes).collect(),
     };
-    Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
+    Outcome { data: Some(Data::Motion(data)), warnings: beside.into_iter().collect(), failure }
 }
 
-fn beside(left: Failure, why: &Failure) -> Failure {
+fn together(left: Failure, why: &Failure) -> Failure {
     let mut left = left;
     left.message = Text::join([&left.message, &why.told()], "; ");
     left

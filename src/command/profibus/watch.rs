@@ -58,7 +58,8 @@ pub(in crate::command) async fn watch(job: Watch<'_>, context: &mut Context<'_>)
     };
     let done = done.await;
     let is_by_bus = exchange.seen().is_some_and(Seen::is_by_bus);
-    let left = exchange.leave().await.failure;
+    let left = exchange.leave().await;
+    let (beside, left) = (left.beside, left.failure);
     // Who is run by its terminals, and was before, was only looked at.
     let (left, by_others) = match left {
         Some(left) if left.code == NOT_STILL && !is_by_bus => (None, Some(left)),
@@ -66,9 +67,13 @@ pub(in crate::command) async fn watch(job: Watch<'_>, context: &mut Context<'_>)
     };
     let (mut outcome, parting) = match done {
         Ok((outcome, parting)) => (Outcome { failure: left.or(outcome.failure), ..outcome }, parting),
-        Err(failure) => return Err(left.unwrap_or(failure)),
+        Err(failure) => {
+            let warnings = beside.into_iter().collect();
+            return Ok(Outcome { data: None, warnings, failure: Some(left.unwrap_or(failure)) });
+        }
     };
     outcome.warnings.extend(by_others.map(|left| Warning { code: left.code.to_string(), message: left.message }));
     outcome.warnings.push(Warning { code: "profibus.let_go".to_owned(), message: parting });
+    outcome.warnings.extend(beside);
     Ok(outcome)
 }

@@ -6,11 +6,11 @@ use super::spoken::Spoken;
 use super::taking::{question, whom};
 use crate::command::{Context, asking};
 use crate::drive::job::{self, Job, Step};
-use crate::drive::profibus::{Exchange, UNLOCKS, planned};
+use crate::drive::profibus::{Ending, Exchange, UNLOCKS, planned};
 use crate::drive::{Target, summary};
 use crate::failure::{Class, Failure};
 use crate::gate;
-use crate::outcome::{Data, ErrorDoc, Outcome, Warning, Write, WriteResult, Written};
+use crate::outcome::{Data, ErrorDoc, Outcome, Write, WriteResult, Written};
 use crate::profile::{Family, HazardKind, Param};
 use crate::text::{Text, both};
 use std::rc::Rc;
@@ -61,7 +61,7 @@ pub(in crate::command) async fn write(
         exchange.parting(&family).await
     };
     let done = done.await;
-    let left = exchange.leave().await.failure;
+    let left = exchange.leave().await;
     Ok(told(job, done, left))
 }
 
@@ -105,12 +105,13 @@ async fn carry_out(exchange: &mut Exchange<'_, '_>, job: &mut Job, ask: &mut dyn
     Ok(())
 }
 
-fn told(job: Option<Job>, done: Result<Text, Failure>, left: Option<Failure>) -> Outcome {
+fn told(job: Option<Job>, done: Result<Text, Failure>, left: Ending) -> Outcome {
     let mut values = job.map(|job| job.rows).unwrap_or_default();
-    let (told, failure) = match done {
-        Ok(told) => (Some(told), None),
+    let (parting, failure) = match done {
+        Ok(parting) => (Some(parting), None),
         Err(failure) => (None, Some(failure)),
     };
+    let warnings = left.warnings(parting);
     for row in values.iter_mut().filter(|row| row.result == WriteResult::Planned) {
         row.result = WriteResult::Skipped;
         row.error = failure.as_ref().map(ErrorDoc::from);
@@ -119,11 +120,6 @@ fn told(job: Option<Job>, done: Result<Text, Failure>, left: Option<Failure>) ->
         row.error.is_none() && row.result != WriteResult::Skipped && row.result != WriteResult::Unknown
     };
     let succeeded = values.iter().filter(is_good).count();
-    let failure = left.or_else(|| summary(failure.into_iter().collect(), succeeded));
-    let warnings = told.map(|message| Warning { code: "profibus.let_go".to_owned(), message });
-    Outcome {
-        data: Some(Data::Write(Write { dry_run: false, values })),
-        warnings: warnings.into_iter().collect(),
-        failure,
-    }
+    let failure = left.failure.or_else(|| summary(failure.into_iter().collect(), succeeded));
+    Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }
 }

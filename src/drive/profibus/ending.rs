@@ -12,7 +12,7 @@ use crate::drive::panel::Lingering;
 use crate::drive::{Panel, Stays, last_told};
 use crate::exchange::dp::{Cycle, Place, Request};
 use crate::failure::Failure;
-use crate::outcome::Change;
+use crate::outcome::{Change, Warning};
 use crate::protocol::dp::pkw::Pkw;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
@@ -47,8 +47,20 @@ pub struct Ending {
     pub is_lost: bool,
     /// What is to be known of it besides.
     pub notes: Vec<Text>,
+    /// What decides on the motor without us, as it stands now.
+    pub parting: Option<Text>,
+    /// Another master was active on the line.
+    pub beside: Option<Warning>,
     /// Why it is no good end.
     pub failure: Option<Failure>,
+}
+
+impl Ending {
+    /// What is to be known of it besides, behind what decides on the motor once the slave is let go.
+    pub fn warnings(&self, parting: Option<Text>) -> Vec<Warning> {
+        let parting = parting.map(|message| Warning { code: "profibus.let_go".to_owned(), message });
+        parting.into_iter().chain(self.beside.clone()).collect()
+    }
 }
 
 impl Exchange<'_, '_> {
@@ -60,7 +72,7 @@ impl Exchange<'_, '_> {
         self.words = self.mode().coast().filter(|_| self.still.coasts).unwrap_or(self.mode().stop());
         self.pkw = Pkw::default();
         if !self.station.is_owned() {
-            return Ending::default();
+            return Ending { beside: self.told_beside(), ..Ending::default() };
         }
         self.comes_to("stopping", None);
         let mut stopped = match self.stop().await {
@@ -102,6 +114,8 @@ impl Exchange<'_, '_> {
             seen,
             is_lost,
             notes: std::mem::take(&mut self.notes),
+            parting: self.parting_now(),
+            beside: self.told_beside(),
             failure: stopped.and(returned).and(released).err(),
         }
     }

@@ -4,6 +4,7 @@
 //! else was agreed to: control kept, no start. Zero outputs would be no stop (a word without bit 10 may hand the motor to the terminals,
 //! or freeze the last word; in Basic mode they hand it to the terminals). Where we die, the watchdog of the slave lets it go.
 
+use super::beside::Beside;
 use super::line::Line;
 use super::mode::{Mode, Seen, Words};
 use super::shown::Shown;
@@ -96,6 +97,10 @@ pub struct Exchange<'l, 'a> {
     pub(super) notes: Vec<Text>,
     /// What the slave does with the motor if it loses us: P.703 as it stands, where it was told.
     pub(super) behind: Option<u32>,
+    /// What decides on the motor without us, as it was found, and with P.703 as a run lends it.
+    pub(super) parting: Option<[Text; 2]>,
+    /// What went out beside another master.
+    pub(super) beside: Beside,
     /// What is shown of a run, if this is one.
     pub(super) shown: Option<Shown>,
     /// Who goes on looking at it behind its end, and for how long; whatever went wrong with it.
@@ -141,6 +146,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
             lent: Vec::new(),
             notes: Vec::new(),
             behind: None,
+            parting: None,
+            beside: Beside::default(),
             shown: None,
             stays: None,
         }
@@ -195,7 +202,12 @@ impl<'l, 'a> Exchange<'l, 'a> {
         let outputs = self.mode.outputs(self.pkw, self.words);
         self.station.outputs().copy_from_slice(&outputs);
         let (station, asked) = self.station.question();
-        let reply = self.line.ask(station, asked, None).await?;
+        let said = self.line.fdl.beside().map(|_| (self.saying(&asked), self.line.tally().sent));
+        let reply = self.line.ask(station, asked, None).await;
+        if let Some((said, _)) = said.filter(|(_, sent)| self.line.tally().sent > *sent) {
+            self.beside.went_out(said);
+        }
+        let reply = reply?;
         let now = self.line.now();
         let cycle = self.station.answered(now, reply).map_err(|why| self.failure(&why))?;
         self.heard = now;
@@ -328,7 +340,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
 
     fn failure(&self, why: &Trouble) -> Failure {
         match why {
-            Trouble::Unanswered(Unanswered::OtherMaster(master)) if self.ours => {
+            Trouble::Unanswered(Unanswered::OtherMaster(master)) => {
                 trouble::other_master_beside(*master).with("address", self.address)
             }
             Trouble::Unanswered(why) => trouble::unanswered(self.address, why),

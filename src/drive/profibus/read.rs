@@ -1,6 +1,7 @@
 //! Values of an inverter by PKW, and what is to be known before it is let go.
 
-use super::exchange::{Exchange, LOST, TO_TERMINALS};
+use super::exchange::{Exchange, LOST, Lent, TO_TERMINALS};
+use super::run::STOPS;
 use super::trouble;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
@@ -103,31 +104,48 @@ impl Exchange<'_, '_> {
         if self.mode().is_basic() {
             return Ok(trouble::terminals_have_it());
         }
-        let mut told = Vec::new();
+        let mut values = Vec::new();
         for param in BEHIND.into_iter().filter_map(|id| family.params.get(&id)) {
-            let (id, name) = (param.id, &param.name);
-            let read = self.read(Place::of(id, None)).await?;
-            if id == u32::from(LOST) {
-                self.behind = read.as_ref().ok().map(|raw| raw & 0xFF);
-            }
-            told.push(match read {
-                Ok(raw) => match family.text_of(param, i64::from(raw)) {
-                    Some(text) => {
-                        both!("{name} (P.{id}) = {raw}: {text}", "{name} (P.{id}) = {raw}: {text}", name, text)
-                    }
-                    None => both!("{name} (P.{id}) = {raw}", "{name} (P.{id}) = {raw}", name),
-                },
-                Err(_) => both!("{name} (P.{id}) is not told", "{name} (P.{id}) wird nicht genannt", name),
-            });
+            values.push((param, self.read(Place::of(param.id, None)).await?.ok()));
         }
-        told.extend((self.behind == Some(TO_TERMINALS)).then(trouble::to_terminals));
-        let told = Text::join(&told, "; ");
-        Ok(both!(
-            "the inverter goes on without us by these: {told}",
-            "der Umrichter arbeitet ohne uns weiter nach: {told}",
-            told
-        ))
+        let is_lost = |param: &Param| param.id == u32::from(LOST);
+        self.behind = values.iter().find(|(param, _)| is_lost(param)).and_then(|(_, raw)| Some((*raw)? & 0xFF));
+        let found = parted(family, &values);
+        values.iter_mut().filter(|(param, _)| is_lost(param)).for_each(|(_, raw)| *raw = Some(STOPS.into()));
+        self.parting = Some([found.clone(), parted(family, &values)]);
+        Ok(found)
     }
+
+    /// The same at the end: P.703 may stand as it was lent.
+    pub(super) fn parting_now(&mut self) -> Option<Text> {
+        let stands = |lent: &Lent| lent.place.pnu == LOST && !lent.restored && self.behind == Some(lent.new.into());
+        let is_lent = self.lent.iter().any(stands);
+        self.parting.take().map(|[found, lent]| if is_lent { lent } else { found })
+    }
+}
+
+/// By which parameters an inverter goes on without us.
+fn parted(family: &Family, values: &[(&Param, Option<u32>)]) -> Text {
+    let each = values.iter().map(|(param, raw)| {
+        let (id, name) = (param.id, &param.name);
+        let Some(raw) = raw else {
+            return both!("{name} (P.{id}) is not told", "{name} (P.{id}) wird nicht genannt", name);
+        };
+        match family.text_of(param, i64::from(*raw)) {
+            Some(text) => both!("{name} (P.{id}) = {raw}: {text}", "{name} (P.{id}) = {raw}: {text}", name, text),
+            None => both!("{name} (P.{id}) = {raw}", "{name} (P.{id}) = {raw}", name),
+        }
+    });
+    let to_terminals = |row: &&(&Param, Option<u32>)| {
+        row.0.id == u32::from(LOST) && row.1.is_some_and(|raw| raw & 0xFF == TO_TERMINALS)
+    };
+    let warned = values.iter().find(to_terminals).map(|_| trouble::to_terminals());
+    let told = Text::join(&each.chain(warned).collect::<Vec<_>>(), "; ");
+    both!(
+        "the inverter goes on without us by these: {told}",
+        "der Umrichter arbeitet ohne uns weiter nach: {told}",
+        told
+    )
 }
 
 /// Whether a family is one of which P.624 tells.

@@ -21,7 +21,7 @@ const LONGEST: Span = Span::from_secs(3_000);
 const WHO: u16 = 600;
 const SETPOINT: u16 = 611;
 /// P.703: stop by the ramp, and everything that takes motion away: coasting, the ramp, the DC brake (5.2).
-const STOPS: u16 = 2;
+pub(super) const STOPS: u16 = 2;
 const STOPPING: std::ops::RangeInclusive<u32> = 1..=3;
 /// P.600: setpoint and control come from the bus.
 const BOTH: u32 = 3;

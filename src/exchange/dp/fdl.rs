@@ -55,6 +55,11 @@ impl Asked {
         Asked { service, data }
     }
 
+    /// The service that it asks for.
+    pub fn asks(&self) -> Service {
+        self.service
+    }
+
     /// The telegram that asks it for the first time, for showing it.
     pub fn telegram(&self, to: u8, from: u8) -> Vec<u8> {
         let count = if self.is_counted(to) { Count::First } else { Count::Unused };
@@ -169,6 +174,8 @@ pub struct Fdl {
     insists: bool,
     /// Another master who was heard while nothing was asked.
     stranger: Option<u8>,
+    /// Another master who was ever heard.
+    beside: Option<u8>,
 }
 
 impl Fdl {
@@ -189,12 +196,18 @@ impl Fdl {
             tally: Tally::default(),
             insists: false,
             stranger: None,
+            beside: None,
         }
     }
 
     /// From now on nobody else on the line keeps a question from going out, nor ends it.
     pub fn insist(&mut self) {
         self.insists = true;
+    }
+
+    /// Another master who was heard on this line since it was opened.
+    pub fn beside(&self) -> Option<u8> {
+        self.beside
     }
 
     /// How long a question waits for the line.
@@ -362,6 +375,7 @@ impl Fdl {
     fn weigh(&mut self, now: Tick, telegram: Telegram, bytes: Vec<u8>) -> Option<Result<Reply, Unanswered>> {
         let Some(open) = &self.open else {
             self.stranger = self.stranger.or(self.other_master(&telegram));
+            self.beside = self.beside.or(self.stranger);
             return None;
         };
         let is_echo = bytes == open.bytes;
@@ -374,10 +388,14 @@ impl Fdl {
             }
             Telegram::Frame(frame) => self.frame(open, frame),
         };
-        let is_other = matches!(result, Some(Err(Unanswered::OtherMaster(_))));
+        let other = match result {
+            Some(Err(Unanswered::OtherMaster(master))) => Some(master),
+            _ => None,
+        };
+        self.beside = self.beside.or(other);
         // What comes before the question went out answers the one before it, which nobody waits for any more.
         let (verdict, result) = match result {
-            Some(_) if is_other && self.insists => (verdict, None),
+            Some(_) if other.is_some() && self.insists => (verdict, None),
             Some(Ok(_)) if open.asked_times == 0 => (Verdict::Stray { station: open.station }, None),
             result => (verdict, result),
         };

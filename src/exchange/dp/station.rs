@@ -127,6 +127,11 @@ impl Station {
         self.owned
     }
 
+    /// Whether it is being let go.
+    pub fn is_leaving(&self) -> bool {
+        matches!(self.stage, Stage::Clear | Stage::Unlock)
+    }
+
     /// Nothing is to be asked before.
     pub fn waits(&self) -> Tick {
         self.waits

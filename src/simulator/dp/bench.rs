@@ -36,6 +36,8 @@ pub struct Profibus {
     rest: usize,
     /// From when until when the master's port takes no bytes.
     stuck: Vec<(Tick, Tick)>,
+    /// When another master passes the token to itself, and its address.
+    tokens: VecDeque<(Tick, u8)>,
 }
 
 /// What happens to replies on their way, and to requests.
@@ -133,12 +135,19 @@ impl Profibus {
             received: 0,
             rest: 0,
             stuck: Vec::new(),
+            tokens: VecDeque::new(),
         }
     }
 
     /// The port of the master takes no bytes in these times.
     pub(crate) fn stuck(self, stuck: Vec<(Tick, Tick)>) -> Self {
         Profibus { stuck, ..self }
+    }
+
+    /// Another master passes the token to itself at these moments, or as soon as the line is free behind them.
+    pub(crate) fn beside(self, mut tokens: Vec<(Tick, u8)>) -> Self {
+        tokens.sort_unstable();
+        Profibus { tokens: tokens.into(), ..self }
     }
 
     /// Until when the port of the master takes no bytes.
@@ -239,7 +248,13 @@ impl Profibus {
         let slaves = self.slaves.iter().filter_map(Slave::next);
         let events = self.events.iter().map(|event| event.0);
         let replies = self.replies.iter().map(|reply| reply.0);
-        slaves.chain(events).chain(replies).chain(self.wire.next()).min()
+        let token = self.tokens.front().filter(|_| self.is_free()).map(|token| token.0);
+        slaves.chain(events).chain(replies).chain(self.wire.next()).chain(token).min()
+    }
+
+    /// Whether nobody speaks, or is about to answer.
+    fn is_free(&self) -> bool {
+        self.wire.next().is_none() && self.replies.is_empty()
     }
 
     /// Runs until `to`, inclusive; returns every byte that came to the master since the last call, with its time.
@@ -284,6 +299,13 @@ impl Profibus {
             let bytes: Vec<u8> = bytes.iter().map(|byte| self.flipped(*byte)).collect();
             self.wire.put(Sender::Drive(slave), self.line, now, &bytes);
             self.answered += 1;
+        }
+        if self.is_free()
+            && self.tokens.front().is_some_and(|token| token.0 <= now)
+            && let Some((_, master)) = self.tokens.pop_front()
+        {
+            let token = Telegram::Token { to: master, from: master }.encode();
+            self.wire.put(Sender::Drive(self.slaves.len()), self.line, now, &token);
         }
     }
 

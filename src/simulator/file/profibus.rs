@@ -22,6 +22,18 @@ struct File {
     module: Vec<ModuleTable>,
     #[serde(default)]
     stuck: Vec<StuckTable>,
+    #[serde(default)]
+    master: Vec<MasterTable>,
+}
+
+/// Another master is active for a while.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MasterTable {
+    address: u8,
+    at: Spanned<String>,
+    by: Spanned<String>,
+    every: Option<Spanned<String>>,
 }
 
 /// The port of the master takes no bytes for a while.
@@ -73,6 +85,9 @@ struct EventTable {
 
 /// Speeds that a slave finds by itself (fieldbus facts: what adapters reach).
 const RATES: [u32; 6] = [9_600, 19_200, 93_750, 187_500, 500_000, 1_500_000];
+/// So often another master speaks where nothing else is said, and so often in all.
+const TOKENS: Span = Span::from_millis(50);
+const MOST_TOKENS: usize = 100_000;
 /// Addresses that the rotary switches have (SJ2-PB manual 1.4).
 const LAST: u8 = 99;
 
@@ -105,11 +120,22 @@ impl Profibus {
             Ok((at, at + reader.time("by", &row.by)?))
         });
         let stuck = spells.collect::<Result<_, _>>()?;
-        Ok(Profibus::new(LineSetting::rtu(baud, Parity::Even), setups, disturbance, seed, registry).stuck(stuck))
+        let tokens = file.master.iter().map(|row| reader.tokens(row)).collect::<Result<Vec<_>, _>>()?;
+        let line = LineSetting::rtu(baud, Parity::Even);
+        Ok(Profibus::new(line, setups, disturbance, seed, registry).stuck(stuck).beside(tokens.concat()))
     }
 }
 
 impl BenchFile<'_> {
+    /// When another master speaks.
+    fn tokens(&self, row: &MasterTable) -> Result<Vec<(Tick, u8)>, Broken> {
+        let begins = Tick::ZERO + self.time("at", &row.at)?;
+        let ends = begins + self.time("by", &row.by)?;
+        let every = self.time_or("every", row.every.as_ref(), TOKENS)?.longer(Span::from_millis(1));
+        let all = std::iter::successors(Some(begins), |at| Some(*at + every));
+        Ok(all.take_while(|at| *at < ends).take(MOST_TOKENS).map(|at| (at, row.address)).collect())
+    }
+
     fn module(&self, row: &ModuleTable) -> Result<Setup, Broken> {
         let kind = self.word("drive", &row.drive, &Kind::NAMES)?;
         let address = *row.address.get_ref();

@@ -336,6 +336,9 @@ fn a_slave_that_is_lost_is_stopped_by_itself_or_by_us() {
                     assert_eq!(stands, stops, "{what}");
                     let in_force = if line.contains("--watchdog") && [0, 4].contains(&lost) { 2 } else { lost };
                     assert!(hint.contains(&format!("P.703 = {in_force}")), "{what}: {hint}");
+                    let notes: Vec<_> = came.motion().notes.iter().map(|note| note.en.to_string()).collect();
+                    let note = notes.iter().find(|note| note.contains("(P.703)")).unwrap();
+                    assert!(note.contains(&format!("(P.703) = {in_force}")), "{what}: {note}");
                 }
             }
         }

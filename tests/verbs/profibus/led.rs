@@ -134,6 +134,8 @@ fn a_motor_is_held_enabled_and_stands() {
     assert!(came.moments().iter().all(|moment| moment.shaft == 0));
     assert!(came.is_given_back());
     came.holds("enabled");
+    let details = &came.asked[1].details;
+    assert!(details.iter().all(|text| !text.en.contains("measured")), "it is not: {details:?}");
 }
 
 #[test]

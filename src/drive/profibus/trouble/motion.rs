@@ -212,11 +212,11 @@ pub(in crate::drive::profibus) fn never_reached(address: u8) -> Text {
     )
 }
 
-/// Another master began to speak while a motor of ours ran.
+/// Another master began to speak while a slave was ours.
 pub(in crate::drive::profibus) fn other_master_beside(master: u8) -> Failure {
     let message = both!(
-        "another master became active on this line, at address {master}; behind that only the stop was sent",
-        "auf dieser Leitung wurde ein anderer Master aktiv, unter Adresse {master}; danach wurde nur noch der Halt gesendet"
+        "another master became active on this line, at address {master}; behind that only what ends the exchange was sent",
+        "auf dieser Leitung wurde ein anderer Master aktiv, unter Adresse {master}; danach wurde nur noch gesendet, was den Austausch beendet"
     );
     Failure { message, ..super::other_master(master) }
 }
