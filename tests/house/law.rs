@@ -138,6 +138,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::opening",
             "drive::probe",
             "drive::profibus",
+            "drive::profibus::beside",
             "drive::profibus::described",
             "drive::profibus::ending",
             "drive::profibus::exchange",

@@ -72,7 +72,10 @@ impl Exchange<'_, '_> {
         self.words = self.mode().coast().filter(|_| self.still.coasts).unwrap_or(self.mode().stop());
         self.pkw = Pkw::default();
         if !self.station.is_owned() {
-            return Ending { beside: self.told_beside(), ..Ending::default() };
+            return Ending {
+                beside: self.line.fdl.beside().map(|master| self.beside.told(master)),
+                ..Ending::default()
+            };
         }
         self.comes_to("stopping", None);
         let mut stopped = match self.stop().await {
@@ -115,7 +118,7 @@ impl Exchange<'_, '_> {
             is_lost,
             notes: std::mem::take(&mut self.notes),
             parting: self.parting_now(),
-            beside: self.told_beside(),
+            beside: self.line.fdl.beside().map(|master| self.beside.told(master)),
             failure: stopped.and(returned).and(released).err(),
         }
     }

@@ -4,7 +4,7 @@
 //! else was agreed to: control kept, no start. Zero outputs would be no stop (a word without bit 10 may hand the motor to the terminals,
 //! or freeze the last word; in Basic mode they hand it to the terminals). Where we die, the watchdog of the slave lets it go.
 
-use super::beside::Beside;
+use super::beside::{Beside, saying};
 use super::line::Line;
 use super::mode::{Mode, Seen, Words};
 use super::shown::Shown;
@@ -202,7 +202,10 @@ impl<'l, 'a> Exchange<'l, 'a> {
         let outputs = self.mode.outputs(self.pkw, self.words);
         self.station.outputs().copy_from_slice(&outputs);
         let (station, asked) = self.station.question();
-        let said = self.line.fdl.beside().map(|_| (self.saying(&asked), self.line.tally().sent));
+        let said =
+            self.line.fdl.beside().map(|_| {
+                (saying(&asked, (self.words.stw, self.pkw), self.station.is_leaving()), self.line.tally().sent)
+            });
         let reply = self.line.ask(station, asked, None).await;
         if let Some((said, _)) = said.filter(|(_, sent)| self.line.tally().sent > *sent) {
             self.beside.went_out(said);
