@@ -1,7 +1,7 @@
 //! What came of a run over PROFIBUS, as it is reported, and what is shown of it meanwhile.
 
 use super::job::{Action, Job};
-use crate::command::running::kept_back;
+use crate::command::running::{interrupted, kept_back};
 use crate::drive::EndedBy;
 use crate::drive::profibus::{Ending, Run, Seen, Wanted, coasting, off, state};
 use crate::failure::{Class, Failure};
@@ -31,6 +31,8 @@ pub(super) fn report(
     done: Result<(), Failure>,
     ending: Ending,
 ) -> Outcome {
+    // Who interrupts the end of a run has interrupted it.
+    let done = if ending.hastened { done.and_then(|()| Err(interrupted())) } else { done };
     let (is_run, has_turned) = (matches!(job.action, Action::Run(_)), ending.has_turned);
     let Ending { is_dark, standing, coasted, changed, seen, is_lost, notes, parting, beside, failure: left, .. } =
         ending;

@@ -286,7 +286,7 @@ fn not_given_back(plan: &Plan<'_>, changed: &[Change]) -> Option<Failure> {
 }
 
 /// The work was done, and somebody did not wait for its end.
-fn interrupted() -> Failure {
+pub(in crate::command) fn interrupted() -> Failure {
     let text = both!("interrupted while it was stopped", "beim Anhalten unterbrochen");
     Failure::new(Class::Interrupted, "interrupted", text)
 }

@@ -48,7 +48,8 @@ fn left_mode(set: Option<&Mode>, shown: Option<&Mode>) -> Option<Text> {
 
 impl Motor<'_, '_> {
     /// Sends the stop and waits for the state and the standstill that prove it. Somebody who interrupts again gets a
-    /// stronger one, and so does a drive that does not obey. Never fails: it reports.
+    /// stronger one, and so does a drive that does not obey; who interrupts the end of a run for the first time asks for what is under
+    /// way. Never fails: it reports.
     pub(super) async fn stop(&mut self, choice: StopChoice, because: &'static str) -> Stop {
         let mut stop = not_yet(choice, because);
         if choice == StopChoice::Keep {
@@ -57,7 +58,8 @@ impl Motor<'_, '_> {
         self.comes_to("stopping", None);
         let begun = self.begin_to_stop(choice, because == "interrupted");
         // Who has pressed more than once before it was his turn is not put off with the first.
-        let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
+        let fresh = self.fresh_presses();
+        let (mut way, mut tries, mut again) = (choice.stronger_by(fresh.saturating_sub(1)), 1, true);
         let mut hurry = way != choice;
         if hurry {
             self.tell_stronger(choice, way, true);
@@ -74,6 +76,10 @@ impl Motor<'_, '_> {
                 Err(failure) => failure,
             };
             match (failure.class, self.stronger(way)) {
+                (Class::Interrupted, _) if self.asks_for_this(stop.because) => {
+                    (stop.because, tries) = ("interrupted", 0);
+                    self.tell_stopping(way);
+                }
                 // The same stop again, by what is obeyed now.
                 (Class::Forbidden, _) if self.lever == Lever::ControlWord && self.was_taken().await => tries = 0,
                 (Class::Interrupted | Class::Forbidden | Class::Refused, Some(next)) => {

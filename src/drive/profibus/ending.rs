@@ -37,6 +37,8 @@ pub struct Ending {
     pub standing: Option<bool>,
     /// OFF3 went out.
     pub coasted: bool,
+    /// Somebody interrupted the own end of a run.
+    pub hastened: bool,
     /// A frequency was seen.
     pub has_turned: bool,
     /// What was changed for its time.
@@ -112,6 +114,7 @@ impl Exchange<'_, '_> {
             is_dark: is_dark && seen.is_some(),
             standing,
             coasted: self.still.coasts,
+            hastened: self.hastened,
             has_turned: self.still.has_turned(),
             changed: self.lent.iter().map(changed).collect(),
             seen,

@@ -88,6 +88,10 @@ pub struct Exchange<'l, 'a> {
     pub(super) driven: bool,
     /// A start word went out, or the motor is to be stopped: whoever interrupts wants it to stop sooner.
     pub(super) ours: bool,
+    /// The run came to its own end: who interrupts for the first time asks for the stop that is under way.
+    pub(super) own_end: bool,
+    /// Somebody interrupted that end.
+    pub(super) hastened: bool,
     /// The end is on its way: no interrupt and no short silence keeps it from going out.
     pub(super) insists: bool,
     /// Whoever watches is told of every silence.
@@ -141,6 +145,8 @@ impl<'l, 'a> Exchange<'l, 'a> {
             started: false,
             driven: false,
             ours: false,
+            own_end: false,
+            hastened: false,
             insists: false,
             watches: false,
             lent: Vec::new(),
@@ -239,13 +245,17 @@ impl<'l, 'a> Exchange<'l, 'a> {
     }
 
     /// Whether it goes on in spite of it. A slave that has exchanged data may miss some; its watchdog is shorter than what is borne.
-    /// Who interrupts the end wants the motor to stop sooner.
+    /// Who interrupts the end wants the motor to stop sooner; only the first time at the own end of a run it is what comes anyway.
     fn bears(&mut self, failure: &Failure) -> bool {
         match failure.class {
             Class::Interrupted if self.insists => {
-                self.line.note_interrupts();
+                let presses = self.line.note_interrupts();
                 if self.ours && !self.still.is_dark(self.line.now()) {
-                    self.take_power();
+                    self.hastened |= self.own_end;
+                    let is_first = std::mem::take(&mut self.own_end) && presses <= 1;
+                    if !is_first {
+                        self.take_power();
+                    }
                 }
                 true
             }

@@ -142,9 +142,11 @@ impl<'a> Line<'a> {
         self.link.pace();
     }
 
-    /// Takes note of who interrupted so far: the line is used on, for what must still go out.
-    pub(super) fn note_interrupts(&mut self) {
+    /// Takes note of who interrupted so far, and tells how often since: the line is used on, for what must still go out.
+    pub(super) fn note_interrupts(&mut self) -> u32 {
+        let before = self.interrupt.presses();
         self.interrupt.note();
+        self.interrupt.presses() - before
     }
 
     /// Asks a station once, with its repeats.

@@ -126,6 +126,7 @@ impl Exchange<'_, '_> {
         run: &mut Run,
     ) -> Result<(), Failure> {
         let done = self.walks(lead, (rights, lending), bounds, run).await;
+        self.own_end = done.is_ok();
         done.map_err(|failure| if failure.class == Class::Interrupted { trouble::ended() } else { failure })
     }
 
@@ -222,14 +223,19 @@ impl Exchange<'_, '_> {
         self.look().await.map(|_| ())
     }
 
-    /// 0406 or 0050: ready, without a start, so that the start bit has an edge behind it.
+    /// 0406 or 0050: ready, without a start, so that the start bit has an edge behind it. A motor that turned before comes down by its
+    /// ramp meanwhile: that is waited for as long as it falls.
     async fn prepare(&mut self, wait: Span, run: &mut Run) -> Result<(), Failure> {
         let begun = self.line.now();
         self.words = self.mode().prepare();
-        let mut cycles = 0;
+        let (mut cycles, mut lowest) = (0, (i32::MAX, begun));
         loop {
             let seen = self.look().await?;
+            let now = self.line.now();
             cycles += 1;
+            if seen.hiw.abs() < lowest.0 {
+                lowest = (seen.hiw.abs(), now);
+            }
             if seen.is_faulted() {
                 return Err(trouble::faulted(self.address()));
             }
@@ -237,7 +243,7 @@ impl Exchange<'_, '_> {
                 run.steps.push(step(self.called("OFF1", "stop"), self.words, seen, self.line.now().since(begun)));
                 return Ok(());
             }
-            if self.line.now().since(begun) > wait {
+            if now.since(lowest.1) > wait || now.since(begun) > LONGEST {
                 return Err(trouble::not_ready(self.address(), seen, self.still.is_dark(self.line.now())));
             }
         }

@@ -131,6 +131,28 @@ fn whoever_interrupts_again_gets_a_stronger_stop() {
     }
 }
 
+/// The stop is under way: who interrupts for the first time has it, and who insists a stronger one.
+#[test]
+fn whoever_interrupts_the_own_end_of_a_run_has_its_stop() {
+    let bench = drive(READY, "ramps = { up_right = 50, down_right = 1, up_left = 50, down_left = 1 }");
+    let bench = bench.replace("\"418\" = 0", "\"418\" = 0, \"424\" = 1, \"425\" = 1");
+    for (presses, escalated, because) in [
+        (&[][..], None, "end"),
+        (&[DISABLE][..], None, "interrupted"),
+        (&[DISABLE, DISABLE], Some("quick-stop"), "interrupted"),
+        (&[DISABLE, DISABLE, QUICK_STOP], Some("coast"), "interrupted"),
+    ] {
+        let brief = Some(Span::from_millis(200));
+        let came = held(&bench, presses, StopChoice::Ramp, Span::from_secs(30), async |motor| {
+            run_at_20_hz(motor, brief).await
+        });
+        let stop = came.stop();
+        assert_eq!((stop.choice, stop.escalated, stop.because), ("ramp", escalated, because), "{presses:?}");
+        assert!(stop.acknowledged && came.ended.result.is_ok(), "{presses:?}: {stop:?}");
+        assert_eq!((came.turning, came.energised), (0, 0), "{presses:?}");
+    }
+}
+
 #[test]
 fn an_enable_that_is_lost_at_any_step_ends_the_run_and_does_not_start_it_again() {
     for writes in 1..9 {

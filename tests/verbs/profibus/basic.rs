@@ -231,6 +231,17 @@ fn a_stop_asks_nobody_and_does_not_give_the_motor_back_to_a_closed_contact() {
     assert_eq!((came.code(), came.words(), came.stop().choice), (("", 0), vec![0x0050, 0], "ramp"));
 }
 
+/// Under our word it comes down by its own ramp, of 10 s to 50 Hz here: that is waited for, and then it is started.
+#[test]
+fn a_motor_that_turned_before_comes_down_by_its_ramp_before_it_is_started() {
+    let driven = module(RESTS, "basic_ramps = \"held\"", &event("0s", "contact = true"));
+    let came = does("sollwert 20Hz --enable --hold --duration 1s --mode basic", &driven, Hand::default());
+    // The contact is still closed, so that it gets no outputs of zero.
+    assert_eq!(came.code(), ("forbidden.terminals", 8), "{:?}", came.failure());
+    came.holds("it was started");
+    assert_eq!(came.words(), [0x0050, 0x0051, 0x0050]);
+}
+
 /// What no end of ours can keep, and what its failure says.
 #[test]
 fn a_contact_that_counts_without_a_master_turns_the_motor_behind_us() {

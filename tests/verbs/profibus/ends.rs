@@ -280,6 +280,27 @@ fn a_stop_that_is_not_obeyed_or_not_heard_says_that_the_shaft_may_turn() {
     }
 }
 
+/// Its ramp is what the first Ctrl-C asks for, and the second wants more.
+#[test]
+fn whoever_interrupts_the_own_end_of_a_run_has_its_ramp_and_whoever_insists_lets_it_coast() {
+    let undisturbed = on_time("");
+    let start = undisturbed.first(0x047F);
+    let stop =
+        start + undisturbed.moments()[start..].iter().position(|moment| moment.said == Said::Words(0x047E, 0)).unwrap();
+    for presses in [&[stop + 10][..], &[stop + 10, stop + 20], &[stop + 10, stop + 10]] {
+        let came = does(RUN, &module(RESTS, "", ""), Hand { presses, ..Hand::default() });
+        came.holds("pressed");
+        let is_one = presses.len() == 1;
+        assert_eq!(came.code(), ("interrupted", 130), "{presses:?}: {:?}", came.failure());
+        assert_eq!(came.words().contains(&0x047A), !is_one, "{presses:?}: {:04X?}", came.words());
+        let stop = came.stop();
+        assert_eq!((stop.because, stop.escalated), ("interrupted", (!is_one).then_some("coast")), "{presses:?}");
+        assert_eq!(came.motion().standing, is_one.then_some(true), "{presses:?}");
+        assert_eq!(came.failure().unwrap().alarm, !is_one, "{presses:?}");
+        assert!(came.is_given_back(), "{presses:?}");
+    }
+}
+
 #[test]
 fn whoever_interrupts_a_stop_lets_it_coast() {
     let bench = driven(1, "");

@@ -29,6 +29,21 @@ impl Motor<'_, '_> {
         presses.saturating_sub(std::mem::replace(&mut self.heeded, presses))
     }
 
+    /// Whether who interrupts asks for no more than the stop that the end of a run has brought already.
+    pub(super) fn asks_for_this(&mut self, because: &str) -> bool {
+        if because != "end" || self.relieving.is_some() {
+            return false;
+        }
+        let heeded = self.heeded;
+        self.session.note_interrupts();
+        let is_first = self.fresh_presses() <= 1;
+        if !is_first {
+            // Who has pressed twice meanwhile has insisted.
+            self.heeded = heeded + 1;
+        }
+        is_first
+    }
+
     /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.
     pub(super) fn hurries(&mut self) {
         self.session.note_interrupts();
