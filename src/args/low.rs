@@ -134,7 +134,6 @@ impl<'a> Low<'a> {
         if let Some(list) = self.call_several(&text)? {
             return Ok((Addresses::Named(list), 0));
         }
-        let text = self.numbered(&text);
         let (drive, node) = match text.split_once('.') {
             Some((drive, node)) => (drive, parse_node(drive, node)?),
             None => (text.as_str(), 0),
@@ -160,7 +159,7 @@ impl<'a> Low<'a> {
     /// A list of addresses; of what is none it is said what would be.
     fn parsed(&self, text: &str) -> Result<Vec<u8>, Failure> {
         let is_group = || self.files.iter().any(|(_, file)| file.groups.contains_key(text));
-        parse_addresses(text, &self.names()).map_err(|failure| match is_group() {
+        parse_addresses(&self.numbered(text), &self.names()).map_err(|failure| match is_group() {
             true => failure.hint(both!("the group is `-a {GROUP}{text}`", "die Gruppe ist `-a {GROUP}{text}`")),
             false => failure,
         })
@@ -197,7 +196,7 @@ impl<'a> Low<'a> {
         let mut line: Option<(Origin, NamedDrive)> = None;
         for part in &parts {
             let Some(address) = self.call(part) else {
-                list.extend(self.parsed(&self.numbered(part))?);
+                list.extend(self.parsed(part)?);
                 continue;
             };
             list.push(address);

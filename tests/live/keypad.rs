@@ -1,7 +1,7 @@
 //! The view of a run and its keypad at a real terminal: every key, another size, a terminal that goes away, a dead man. What the
 //! keys mean in which order is tried in virtual time (`tests/verbs/motion/keypad.rs`).
 
-use crate::program::{AtTerminal, Piped, alone};
+use crate::program::{AtTerminal, Piped, alone, appears};
 use std::thread;
 use std::time::Duration;
 use tempfile::TempDir;
@@ -235,9 +235,7 @@ fn a_key_that_is_held_where_the_port_is_lost_is_not_typed_into_the_shell() {
     std::fs::write(&file, "[[module]]\ndrive = \"l200\"\naddress = 3\n").unwrap();
     let bench = format!("simulate {} --profibus --link {} --duration 60s", file.display(), link.display());
     let bench = Piped::start(&bench);
-    while !link.exists() {
-        thread::sleep(Duration::from_millis(20));
-    }
+    appears(&link, "no bench");
     let line = "--yes sollwert 5Hz --enable --hold --take-control --dead-man";
     let mut run = AtTerminal::whole(&format!("-p {} --protocol dp -a 3 {line}", link.display()));
     run.pictures("waiting for a key to be held");

@@ -24,6 +24,15 @@ pub(crate) fn alone() -> MutexGuard<'static, ()> {
     TURN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Waits until a bench serves its link; what was seen of it stands in the message if it never does.
+pub(crate) fn appears(link: &Path, seen: &str) {
+    let begun = Instant::now();
+    while !link.exists() {
+        assert!(begun.elapsed() < Duration::from_secs(30), "{seen}");
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
 /// What is typed behind `antrieb`, with nobody's configuration.
 fn antrieb(line: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));

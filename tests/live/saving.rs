@@ -1,8 +1,6 @@
 //! What somebody sees of a save that takes its time.
 
-use crate::program::{AtTerminal, alone};
-use std::thread;
-use std::time::{Duration, Instant};
+use crate::program::{AtTerminal, alone, appears};
 
 /// Whether this begins a progress with a rate and the time that is left: `40/s    4s`.
 fn is_told(rest: &str) -> bool {
@@ -19,11 +17,7 @@ fn a_save_shows_how_far_it_is_how_fast_and_how_much_time_is_left() {
     let (file, link) = (directory.path().join("bench.toml"), directory.path().join("bus"));
     std::fs::write(&file, "[[drive]]\nmodel = \"acu\"\naddress = 2\nbaud = 19200\n").unwrap();
     let mut line = AtTerminal::start(&format!("simulate {} --link {}", file.display(), link.display()));
-    let begun = Instant::now();
-    while !link.exists() {
-        assert!(begun.elapsed() < Duration::from_secs(30), "{}", line.seen);
-        thread::sleep(Duration::from_millis(20));
-    }
+    appears(&link, &line.seen);
     let saved = directory.path().join("pump.toml");
     let mut run = AtTerminal::whole(&format!("-p {} -a 2 dataset save {}", link.display(), saved.display()));
     run.shows("signature");

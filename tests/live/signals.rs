@@ -1,6 +1,6 @@
 //! Signals to the program at a terminal: what no virtual time shows.
 
-use crate::program::{AtTerminal, Mute, alone, full_pipe};
+use crate::program::{AtTerminal, Mute, alone, appears, full_pipe};
 use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -235,11 +235,7 @@ fn a_hang_up_ends_no_stop_of_several() {
     let (file, link) = (directory.path().join("bench.toml"), directory.path().join("bus"));
     for is_signal in [true, false] {
         let mut line = AtTerminal::start(&format!("simulate {} --link {}", file.display(), link.display()));
-        let begun = Instant::now();
-        while !link.exists() {
-            assert!(begun.elapsed() < Duration::from_secs(30), "{}", line.seen);
-            thread::sleep(Duration::from_millis(20));
-        }
+        appears(&link, &line.seen);
         // They run up.
         thread::sleep(Duration::from_secs(1));
         let mut run = AtTerminal::start(&format!("-v -p {} -a 1,2 statemachine quick-stop", link.display()));

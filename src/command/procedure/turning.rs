@@ -192,8 +192,7 @@ impl Guide<'_> {
         let (begun, family) = (self.begin(turn), self.known().await?.family);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let (address, record) = (record.address, RefCell::new(record));
-        let stood = |change: &Change| written(&family.param_or_unknown(change.param), change.old);
-        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change, stood(change)));
+        let keeps = |change: &Change| lends((&record, path), &family, change);
         let plan = Plan { keeps: Some(Keeps(&keeps)), ..Plan::of("reset", turn.title(), &motion) };
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
         let told = running::on_line(
@@ -254,8 +253,7 @@ impl Guide<'_> {
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let (address, record) = (record.address, RefCell::new(record));
         let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
-        let stood = |change: &Change| written(&family.param_or_unknown(change.param), change.old);
-        let keeps = |change: &Change| noted(&record, path, |record| record.lend(change, stood(change)));
+        let keeps = |change: &Change| lends((&record, path), &family, change);
         let led = Led { keeps: Some(Keeps(&keeps)), ..led };
         let told = sollwert::led(
             session,
@@ -302,6 +300,16 @@ fn noted(
     let mut record = record.borrow_mut();
     note(&mut record);
     record::save(path, &record)
+}
+
+/// Keeps in the record what a run is about to change, with its value as it is typed.
+fn lends(
+    (record, path): (&RefCell<&mut ProcedureRecord>, &Path),
+    family: &Family,
+    change: &Change,
+) -> Result<(), Failure> {
+    let stood = written(&family.param_or_unknown(change.param), change.old);
+    noted(record, path, |record| record.lend(change, stood))
 }
 
 fn may_stay(label: &str) -> Text {

@@ -58,8 +58,7 @@ impl Motor<'_, '_> {
         self.comes_to("stopping", None);
         let begun = self.begin_to_stop(choice, because == "interrupted");
         // Who has pressed more than once before it was his turn is not put off with the first.
-        let fresh = self.fresh_presses();
-        let (mut way, mut tries, mut again) = (choice.stronger_by(fresh.saturating_sub(1)), 1, true);
+        let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
         let mut hurry = way != choice;
         if hurry {
             self.tell_stronger(choice, way, true);

@@ -66,6 +66,11 @@ impl Ending {
 }
 
 impl Exchange<'_, '_> {
+    /// Who else was heard on the line, and what went out beside him.
+    fn told_beside(&self) -> Option<Warning> {
+        self.line.fdl.beside().map(|master| self.beside.told(master))
+    }
+
     /// Stops the motor, proves it, and lets the slave go. Nobody's interrupt from before keeps it from that; one that comes
     /// meanwhile lets a motor that we have started coast.
     pub async fn leave(mut self) -> Ending {
@@ -74,10 +79,7 @@ impl Exchange<'_, '_> {
         self.words = self.mode().coast().filter(|_| self.still.coasts).unwrap_or(self.mode().stop());
         self.pkw = Pkw::default();
         if !self.station.is_owned() {
-            return Ending {
-                beside: self.line.fdl.beside().map(|master| self.beside.told(master)),
-                ..Ending::default()
-            };
+            return Ending { beside: self.told_beside(), ..Ending::default() };
         }
         self.comes_to("stopping", None);
         let mut stopped = match self.stop().await {
@@ -121,7 +123,7 @@ impl Exchange<'_, '_> {
             is_lost,
             notes: std::mem::take(&mut self.notes),
             parting: self.parting_now(),
-            beside: self.line.fdl.beside().map(|master| self.beside.told(master)),
+            beside: self.told_beside(),
             failure: stopped.and(returned).and(released).err(),
         }
     }

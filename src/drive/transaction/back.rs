@@ -255,7 +255,7 @@ fn back_sorted(mut order: Vec<Kept>, rules: &FileRules) -> Vec<Kept> {
         _ => 0,
     };
     order.sort_by_key(|kept| (stage(kept), kept.set >= ram, !rules.frees(&kept.param, kept.raw), Reverse(rank(kept))));
-    order.dedup_by(|one, other| (one.param.id, one.set) == (other.param.id, other.set));
+    order.dedup_by(|one, other| one.is_at(other));
     order
 }
 
@@ -308,9 +308,7 @@ impl Plan {
     /// Whether this value, of what is stored, may be written: a drive that may tell its RAM as stored would hide from a later look that its
     /// EEPROM did not take it.
     fn may_come_back_in_ram_alone(&self, kept: &Kept) -> bool {
-        let is_equal = |(step, row): (&Step, &Written)| {
-            row.result == WriteResult::Unchanged && (step.param.id, step.set) == (kept.param.id, kept.set)
-        };
+        let is_equal = |(step, row): (&Step, &Written)| row.result == WriteResult::Unchanged && kept.is_of(step);
         let stays = self.altering().next().is_none() && self.job.steps.iter().zip(&self.job.rows).any(is_equal);
         !self.tells_apart && kept.set < DataSets::RAM_OFFSET && !stays
     }
@@ -318,9 +316,7 @@ impl Plan {
     /// Whether a drive that may tell its RAM as stored has taken another value than it tells: it acknowledged one, or did not take
     /// the old one back.
     fn may_hide(&self, kept: &Kept) -> bool {
-        let is_its = |(step, row): (&Step, &Written)| {
-            row.result == WriteResult::Differs && (step.param.id, step.set) == (kept.param.id, kept.set)
-        };
+        let is_its = |(step, row): (&Step, &Written)| row.result == WriteResult::Differs && kept.is_of(step);
         let doubts = |(step, row): (&Step, &Written)| {
             step.param.id == kept.param.id && covers(step.set, kept.set) && is_doubted(row)
         };
@@ -397,7 +393,7 @@ fn unseen(kept: &Kept) -> Failure {
 
 /// Says in the row what became of putting it back: its own, or that of what is stored before it.
 fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<Failure> {
-    let is_its = |step: &Step| step.param.id == kept.param.id && step.set == kept.set;
+    let is_its = |step: &Step| kept.is_of(step);
     let is_over_it = |step: &Step| {
         let in_ram = kept.set >= DataSets::RAM_OFFSET && step.set < DataSets::RAM_OFFSET;
         in_ram && step.param.id == kept.param.id && is_behind(kept.set, step.set)

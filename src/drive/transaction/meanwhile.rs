@@ -89,8 +89,7 @@ async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>)
     now.extend(ram_stands(session, target, &param, &sets).await?);
     for (index, step) in &steps {
         // What goes into the RAM by itself has a row of its own.
-        let has_row =
-            |kept: &Kept| plan.job.steps.iter().any(|own| (own.param.id, own.set) == (kept.param.id, kept.set));
+        let has_row = |kept: &Kept| plan.job.steps.iter().any(|own| kept.is_of(own));
         let behind: Vec<Kept> = plan.behind(step).filter(|kept| !has_row(kept)).cloned().collect();
         let Some(row) = plan.job.rows.get_mut(*index) else { continue };
         failures.extend(changed(row, step, &behind, &now));

@@ -58,6 +58,16 @@ impl Kept {
     pub(super) fn wanted(step: &Step) -> Self {
         Kept { param: step.param.clone(), set: step.set, raw: step.raw }
     }
+
+    /// Whether it is of the place of a step.
+    pub(super) fn is_of(&self, step: &Step) -> bool {
+        (self.param.id, self.set) == (step.param.id, step.set)
+    }
+
+    /// Whether both are of one place.
+    pub(super) fn is_at(&self, other: &Kept) -> bool {
+        (self.param.id, self.set) == (other.param.id, other.set)
+    }
 }
 
 impl Plan {
@@ -273,7 +283,7 @@ impl Plan {
     /// Whether a place of the RAM goes back without having been read.
     pub(super) fn is_unread(&self, kept: &Kept) -> bool {
         let rows = self.job.steps.iter().zip(&self.job.rows);
-        let is_its = |step: &Step| (step.param.id, step.set) == (kept.param.id, kept.set);
+        let is_its = |step: &Step| kept.is_of(step);
         rows.filter(|(step, _)| is_its(step))
             .any(|(_, row)| row.old_raw.is_none() && row.result == WriteResult::Planned)
     }
@@ -349,8 +359,7 @@ impl Plan {
         let todo = rows.clone().filter(|(_, row)| row.result == WriteResult::Planned);
         let written: u64 = todo.map(|(step, _)| cells(step, &family)).sum();
         let watched = self.watched.iter().filter(|kept| kept.set < 5).count() as u64;
-        let is_watched =
-            |step: &Step| self.watched.iter().any(|kept| (kept.param.id, kept.set) == (step.param.id, step.set));
+        let is_watched = |step: &Step| self.watched.iter().any(|kept| kept.is_of(step));
         let equal = |watched: bool| {
             let equal = rows.clone().filter(|(_, row)| row.result == WriteResult::Unchanged);
             equal.filter(|(step, _)| is_watched(step) == watched).map(|(step, _)| cells(step, &family)).sum::<u64>()

@@ -195,11 +195,6 @@ impl Plan {
 }
 
 impl Kept {
-    /// Whether both are of one place.
-    pub(super) fn is_at(&self, other: &Kept) -> bool {
-        (self.param.id, self.set) == (other.param.id, other.set)
-    }
-
     /// The same as a line of a file.
     fn setting(&self) -> Setting {
         let Kept { param, set, raw } = self;

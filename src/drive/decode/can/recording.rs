@@ -49,7 +49,7 @@ struct Recording {
 fn lines(text: &str, is_set: bool) -> Option<Result<Recording, Text>> {
     let text = text.trim_start_matches('\u{feff}');
     match recorded_protocol(text) {
-        Some(Protocol::Sdo(_)) => return Some(own(text)),
+        Some(Protocol::Sdo(_)) => return Some(read_trace(text).map(own)),
         Some(_) => return None,
         None => {}
     }
@@ -59,8 +59,9 @@ fn lines(text: &str, is_set: bool) -> Option<Result<Recording, Text>> {
         return Some(Ok(Recording { lines: words(text), is_own: false }));
     }
     if !is_line(first) {
-        let is_meant = is_set || read_trace(text).is_ok_and(|lines| is_text(&said(&lines)));
-        return is_meant.then(|| own(text));
+        let traced = read_trace(text);
+        let is_meant = is_set || traced.as_ref().is_ok_and(|lines| is_text(&said(lines)));
+        return is_meant.then(|| traced.map(own));
     }
     let read = |(nth, line): (usize, &str)| {
         let number = nth + 1;
@@ -87,7 +88,7 @@ fn said(lines: &[TraceLine]) -> String {
 
 /// What this program recorded (`--trace`): the words to an adapter and those from it, each however the pieces fall, with the time of its first
 /// byte. What somebody left unfinished is damaged.
-fn own(text: &str) -> Result<Recording, Text> {
+fn own(traced: Vec<TraceLine>) -> Recording {
     let mut lines = Vec::new();
     // To the adapter, and from it.
     let mut open: [(u64, Vec<u8>); 2] = Default::default();
@@ -96,7 +97,7 @@ fn own(text: &str) -> Result<Recording, Text> {
         let what = Word::read(&word).map_or_else(|error| Said::Damaged(word, error), Said::Word);
         Line { at_us: Some(at), sent: Some(sent), what }
     };
-    for line in read_trace(text)? {
+    for line in traced {
         let [heard, told] = &mut open;
         let piece = if line.sent { told } else { heard };
         for byte in line.bytes {
@@ -121,7 +122,7 @@ fn own(text: &str) -> Result<Recording, Text> {
         (!begun.1.is_empty()).then_some(Line { at_us, sent: Some(sent), what })
     };
     lines.extend(open.into_iter().zip([false, true]).filter_map(torn));
-    Ok(Recording { lines, is_own: true })
+    Recording { lines, is_own: true }
 }
 
 /// What ends a word, and what refuses.
