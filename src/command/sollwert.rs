@@ -329,6 +329,13 @@ async fn carry_out(
         let first = if enable && wanted.turns_at_zero() { wanted.schedule.at(0) } else { 0 };
         motor.give(&wanted.param, first, unit).await?;
     }
+    let mut leads = Leads::new(&wanted.schedule, (wanted.keys, wanted.refused_key()), panel);
+    // The time of the run is that of a movement too, unless somebody waits for its end first.
+    let lasts = motion.duration.map(|span| span + leads.takes());
+    let is_timed = motion.hold && !until_reached;
+    if is_timed && enable && wanted.turns_at_zero() {
+        motor.will_hold(lasts);
+    }
     if enable {
         motor.walk("operation-enabled").await?;
     }
@@ -336,18 +343,20 @@ async fn carry_out(
     if let Some((param, raw)) = &wanted.denominator {
         motor.set(param, *raw).await?;
     }
+    if is_timed && wanted.start.is_none() {
+        motor.will_hold(lasts);
+    }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
-    let mut leads = Leads::new(&wanted.schedule, (wanted.keys, wanted.refused_key()), panel);
     lead(motor, wanted, &mut leads).await?;
-    let begun = motor.now();
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
     }
     match &wanted.start {
         Some(start) => {
-            // The time of the run is that of the movement too, unless somebody waits for its end first.
-            let by = motion.duration.filter(|_| motion.hold && !until_reached).map(|span| begun + span);
-            motor.travel(start, by).await?;
+            if is_timed {
+                motor.will_hold(lasts);
+            }
+            motor.travel(start).await?;
         }
         None if until_reached => {
             motor.until_reached().await?;
@@ -356,9 +365,10 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        // What is left of it behind a movement.
-        let moved = if until_reached { Span::ZERO } else { motor.now().since(begun) };
-        hold(motor, wanted, motion.duration.map(|span| span - moved), leads).await?;
+        if until_reached {
+            motor.holds_from_now(motion.duration);
+        }
+        hold(motor, wanted, if until_reached { motion.duration } else { lasts }, leads).await?;
     }
     Ok(())
 }
@@ -367,12 +377,12 @@ async fn carry_out(
 async fn hold(
     motor: &mut Motor<'_, '_>,
     wanted: &Wanted,
-    duration: Option<Span>,
+    lasts: Option<Span>,
     mut leads: Leads<'_>,
 ) -> Result<(), Failure> {
     let mut given = leads.arrives();
     motor
-        .hold(duration, async |motor: &mut Motor<'_, '_>, _| {
+        .hold(lasts, async |motor: &mut Motor<'_, '_>, _| {
             let (next, told) = leads.by_arrows();
             told.into_iter().for_each(|told| motor.tell(told));
             if next != given {
@@ -438,7 +448,11 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, leads: &mut Leads<'_>)
     motor.is_led(false);
     let value = leads.arrives();
     motor.expects = wanted.expects(value);
-    if value == last { Ok(()) } else { motor.give(&wanted.param, value, unit).await }
+    if value == last {
+        return Ok(());
+    }
+    let given = motor.give(&wanted.param, value, unit).await;
+    motor.or_over(given)
 }
 
 /// What to do where a speed cannot be made a frequency.

@@ -220,6 +220,10 @@ async fn commanded(context: &mut Context<'_>, plan: Plan<'_>, bounds: Option<Tex
             if slug == "enable" { enabling(session, target, before, plan).await } else { Ok(()) }
         },
         async |motor, ()| {
+            let holds = motion.hold && slug == "enable";
+            if holds {
+                motor.will_hold(motion.duration);
+            }
             match (slug, relief_of(slug)) {
                 (_, Some(act)) => motor.relieve(act).await?,
                 ("enable", _) => motor.walk("operation-enabled").await?,
@@ -227,10 +231,7 @@ async fn commanded(context: &mut Context<'_>, plan: Plan<'_>, bounds: Option<Tex
                 ("reset", _) => motor.reset().await?,
                 (other, _) => motor.command(other).await?,
             }
-            if motion.hold && slug == "enable" {
-                motor.hold(motion.duration, async |_, _| Ok(())).await?;
-            }
-            Ok(())
+            if holds { motor.hold(motion.duration, async |_, _| Ok(())).await } else { Ok(()) }
         },
     )
     .await
@@ -306,7 +307,8 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         return dry_run(context, &family, motion, true, None, |told| told.walk(state));
     }
     let announce = both!("walk to '{state}'", "gehen nach '{state}'", state = row.text());
-    let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
+    let runs = state == "operation-enabled";
+    let holds = motion.hold && runs;
     let plan = Plan { runs, ..Plan::of("goto", announce, motion) };
     running::run(
         context,
@@ -316,11 +318,11 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
             if runs { enabling(session, target, before, plan).await } else { Ok(()) }
         },
         async |motor, ()| {
-            motor.walk(state).await?;
-            if let (Some(duration), true) = (hold, runs) {
-                motor.hold(duration, async |_, _| Ok(())).await?;
+            if holds {
+                motor.will_hold(motion.duration);
             }
-            Ok(())
+            motor.walk(state).await?;
+            if holds { motor.hold(motion.duration, async |_, _| Ok(())).await } else { Ok(()) }
         },
     )
     .await

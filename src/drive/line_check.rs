@@ -24,6 +24,7 @@ pub async fn check_line(
     count: u64,
 ) -> (LineCheck, Vec<Failure>) {
     let before = session.adapter();
+    session.asks_on();
     let mut drives = Vec::new();
     let mut failures = Vec::new();
     for mut target in targets {

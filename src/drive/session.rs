@@ -70,6 +70,7 @@ pub struct Session<'a> {
     twins: BTreeSet<u8>,
     /// What is told where nobody answers for long.
     warns: Option<unanswered::Warns>,
+    mute: unanswered::Mute,
     /// What is heard on a CAN bus, whomever it is for.
     heard: Option<can::Heard>,
     /// The same, where nobody is asked.
@@ -144,6 +145,7 @@ impl<'a> Session<'a> {
             unanswered: None,
             twins: BTreeSet::new(),
             warns: None,
+            mute: unanswered::Mute::default(),
             heard: None,
             ears: None,
         }
@@ -243,6 +245,9 @@ impl<'a> Session<'a> {
             if self.is_over() {
                 return Err(self.too_late());
             }
+            if let Some(silence) = self.is_mute(station) {
+                return Err(silence.into());
+            }
             let ends_at = self.take_turn().await;
             let tries = self.tries(limits.retries.saturating_sub(asked));
             let once = (question.clone(), Limits { retries: tries, gives_way: self.gives_way(), ..limits });
@@ -250,6 +255,9 @@ impl<'a> Session<'a> {
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             self.heeds(matches!(outcome, Ok(Ok(_))));
+            if let Ok(outcome) = &outcome {
+                self.notes_mute(station, &question, outcome);
+            }
             if matches!(outcome, Ok(Err(ExchangeError::TwoAnswers { .. }))) {
                 self.twins.insert(station);
             }

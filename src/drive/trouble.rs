@@ -154,7 +154,7 @@ fn sorted(error: &ExchangeError, address: u8) -> (Class, &'static str) {
         ExchangeError::Stray { .. } => (Class::Garbled, "garbled.wrong_responder"),
         ExchangeError::NeverSilent { .. } => (Class::Garbled, "garbled.never_silent"),
         ExchangeError::Unproven { .. } => (Class::Garbled, "garbled.unproven"),
-        ExchangeError::NoTime { .. } => (Class::Silence, "silence.no_time"),
+        ExchangeError::NoTime { .. } => (Class::Silence, NO_TIME),
         ExchangeError::TwoAnswers { .. } => (Class::Garbled, "garbled.two_answers"),
         ExchangeError::BroadcastRead => (Class::Usage, "usage.broadcast_read"),
     }
@@ -242,4 +242,18 @@ fn times(asked: impl Into<u64>) -> Text {
 pub(super) fn interrupted() -> Failure {
     let text = both!("interrupted before the answer came", "unterbrochen, bevor die Antwort kam");
     Failure::new(Class::Interrupted, "interrupted", text)
+}
+
+/// A question was over before it could go out.
+pub(super) const NO_TIME: &str = "silence.no_time";
+/// The time of a run was over before the drive was where it was to go.
+pub(super) const TIME_OVER: &str = "no.time_over";
+
+/// The failure of such a run.
+pub(super) fn time_over() -> Failure {
+    let text = both!(
+        "the time of the run (--duration) was over before the drive was there",
+        "die Zeit des Laufs (--duration) war um, ehe der Antrieb so weit war"
+    );
+    Failure::new(Class::No, TIME_OVER, text)
 }

@@ -107,6 +107,12 @@ impl Question {
         self.asks().is_write()
     }
 
+    /// Whether it asks for a value: everybody answers that, if only by a refusal.
+    pub fn asks_for_a_value(&self) -> bool {
+        use pdu::Request::{ReadLong, ReadRegisters};
+        matches!(self, Question::Modbus(ReadRegisters { .. } | ReadLong { .. }))
+    }
+
     /// Whether `said` can be the answer.
     pub fn is_answered_by(&self, said: &Said) -> bool {
         self.asks().is_answered_by(said)

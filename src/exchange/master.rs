@@ -160,6 +160,11 @@ impl Master {
         self.echo.is_known().then_some(self.echo == Echo::Present)
     }
 
+    /// Whether telegrams carry numbers, so that nothing is asked twice.
+    pub fn is_numbered(&self) -> bool {
+        self.dialect.is_numbered()
+    }
+
     /// Whether the echo of this question would pass for its answer, and nobody knows yet whether the line echoes: then
     /// something else must be asked first.
     pub fn needs_sounding(&self, station: u8, question: &Question) -> bool {

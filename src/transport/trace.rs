@@ -93,6 +93,8 @@ pub struct TraceLine {
 
 /// Reads a recording; the error names the line.
 pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, Text> {
+    /// 2^53: so many microseconds a JSON number holds to the last one, 285 years.
+    const MOST_US: u64 = 1 << 53;
     let mut lines = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
@@ -107,7 +109,7 @@ pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, Text> {
             )
         };
         let mut words = line.split_whitespace();
-        let at_us = words.next().and_then(|word| word.parse().ok()).ok_or_else(bad)?;
+        let at_us = words.next().and_then(|word| word.parse().ok()).filter(|at| *at <= MOST_US).ok_or_else(bad)?;
         let sent = match words.next() {
             Some(">") => true,
             Some("<") => false,
@@ -130,6 +132,8 @@ mod tests {
         let lines = read_trace(text).unwrap();
         assert_eq!(lines[1], TraceLine { number: 4, at_us: 20_590, sent: false, bytes: vec![1, 0x83, 2] });
         assert!(read_trace("x > 01").unwrap_err().en.starts_with("line 1:"));
+        assert!(read_trace("9007199254740992 > 01").is_ok());
+        assert!(read_trace("9007199254740993 > 01").unwrap_err().en.starts_with("line 1:"));
         assert!(read_trace("5 > 1").unwrap_err().de.contains("5 > 1"));
     }
 

@@ -63,6 +63,26 @@ fn a_silent_gateway_is_asked_nothing_twice() {
     assert_eq!(asked.iter().map(|question| question[7]).collect::<Vec<u8>>(), [43, 3], "{err}");
 }
 
+/// A named family needs no recognition, and what never said a word to a question after a value is not asked for the next.
+#[test]
+fn a_silent_gateway_costs_one_time_out_whatever_the_verb_wants_to_know() {
+    let _alone = alone();
+    for (family, verb) in [
+        ("acu", "identify"),
+        ("acu", "diag"),
+        ("acu", "statemachine"),
+        ("acu", "dataset show"),
+        ("acu", "sollwert"),
+        ("lxm05", "statemachine"),
+        ("lxm05", "sollwert"),
+    ] {
+        let (address, asked) = server(usize::MAX, |_| Vec::new());
+        let line = format!("-p mbtcp://{address} -a 1 --timeout 300ms --drive {family} {verb}");
+        let (exit, _, err) = Piped::run(&line);
+        assert_eq!((exit, asked.iter().count()), (Some(4), 1), "{line}: {err}");
+    }
+}
+
 #[test]
 fn a_description_that_goes_on_without_end_is_cut_off_with_a_word() {
     let _alone = alone();

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use crate::args::StopArg;
-use crate::drive::motion::{Situation, taken_over, would_change};
+use crate::drive::motion::{Situation, goes_now, taken_over, would_change};
 use crate::drive::{Session, Target};
 use crate::failure::Failure;
 use crate::profile::{Family, Param};
@@ -34,7 +34,8 @@ impl Plan<'_> {
         if let Some(told) =
             takes.and_then(|new| taken_over(before, &family, new, self.runs)).filter(|_| self.aim.is_none())
         {
-            self.tells(session, vec![told]);
+            let told = std::iter::once(told).chain(goes_now(session, target).await?).collect();
+            self.tells(session, told);
         }
         let of = |role: &str, raw: Option<i64>| family.role(role).cloned().zip(raw);
         let first = [of("watchdog", watchdog), of("control-mode", takes)];

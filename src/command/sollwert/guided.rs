@@ -79,6 +79,7 @@ pub(in crate::command) async fn led(
                 motor.adjust(param, *raw).await?;
             }
             giving.work(motor, checked).await?;
+            motor.counts_no_more();
             then(motor).await
         },
     )

@@ -35,7 +35,7 @@ pub(super) async fn set(
         "diese Kontakte schließen, alle anderen öffnen: {shown}"
     );
     let plan = Plan { needs_control: false, ..Plan::of("contacts", announce, motion) };
-    let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
+    let take = motion.take_control;
     running::run(
         context,
         plan,
@@ -44,11 +44,11 @@ pub(super) async fn set(
             if take {
                 motor.take_control(contacts, Some(word)).await?;
             }
-            motor.contacts(word).await?;
-            if let Some(duration) = hold {
-                motor.hold(duration, async |_, _| Ok(())).await?;
+            if motion.hold {
+                motor.will_hold(motion.duration);
             }
-            Ok(())
+            motor.contacts(word).await?;
+            if motion.hold { motor.hold(motion.duration, async |_, _| Ok(())).await } else { Ok(()) }
         },
     )
     .await

@@ -3,6 +3,7 @@
 use super::Motor;
 use super::patience::ROUND;
 use super::watchdog::watchdog_words;
+use crate::drive::trouble::{NO_TIME, time_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::text::{Text, both};
@@ -11,51 +12,145 @@ use crate::tick::{Span, Tick};
 /// An end that comes so late is told: this program was held up.
 const LATE: Span = Span::from_millis(500);
 
+/// The time of a run that is held. It counts from the word that can turn the shaft, not from an answer to it, which may be
+/// lost: the shaft turns all the same.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) enum Clock {
+    /// Nothing is held.
+    #[default]
+    Stopped,
+    /// It begins with the next word that can turn the shaft, and lasts so long, or until somebody ends it.
+    Waits(Option<Span>),
+    Runs {
+        begun: Tick,
+        lasts: Option<Span>,
+    },
+}
+
 impl Motor<'_, '_> {
-    /// Keeps the run alive for a time, or until something ends it: looks at the state, which also feeds the drive's
-    /// watchdog, and ends with an error if the drive trips or, having been enabled, is so no longer. `each` is called in
-    /// every round; it may be called twice in one, where no valid answer came.
+    /// The run will be held, from the next word on that can turn the shaft; so long, or until somebody ends it.
+    pub fn will_hold(&mut self, lasts: Option<Span>) {
+        self.clock = Clock::Waits(lasts);
+    }
+
+    /// The time of the run begins now.
+    pub fn holds_from_now(&mut self, lasts: Option<Span>) {
+        self.begins(self.session.now(), lasts);
+    }
+
+    fn begins(&mut self, begun: Tick, lasts: Option<Span>) {
+        self.clock = Clock::Runs { begun, lasts };
+        self.ends_by_the_clock();
+    }
+
+    /// The drive was asked then, and is not enabled yet: so far nothing turned its shaft.
+    pub(super) fn turns_not_before(&mut self, asked: Tick) {
+        if let Clock::Runs { lasts, .. } = self.clock {
+            self.begins(asked, lasts);
+        }
+    }
+
+    /// A word goes out that can turn the shaft: from here on nothing puts off what the run says, nor its end.
+    pub(super) fn may_turn(&mut self) {
+        if let Clock::Waits(lasts) = self.clock {
+            self.session.insist(true);
+            self.holds_from_now(lasts);
+        }
+    }
+
+    /// Every question ends with the run, whatever has come of it.
+    pub(super) fn ends_by_the_clock(&mut self) {
+        self.session.end_at(self.end());
+    }
+
+    /// When the run ends by the clock.
+    pub(super) fn end(&self) -> Option<Tick> {
+        if let Clock::Runs { begun, lasts } = self.clock { lasts.map(|lasts| begun + lasts) } else { None }
+    }
+
+    /// Keeps the run alive until it has lasted so long, or something ends it: looks at the state, which also feeds the
+    /// drive's watchdog, and ends with an error if the drive trips or, having been enabled, is so no longer. `each` is called
+    /// in every round; it may be called twice in one, where no valid answer came.
     pub async fn hold(
         &mut self,
-        duration: Option<Span>,
+        lasts: Option<Span>,
         mut each: impl AsyncFnMut(&mut Self, Span) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
+        let begun = self.runs_at_the_latest_now();
+        let end = lasts.map(|lasts| begun + lasts);
         // Whoever else talks on the line puts off neither the refresh nor the end.
         self.session.insist(true);
         self.tell_held();
-        let begun = self.session.now();
-        self.comes_to("held", duration.map(|duration| begun + duration));
+        self.comes_to("held", end);
         // A question that is under way then puts off nothing.
-        self.session.end_at(duration.map(|duration| begun + duration));
+        self.session.end_at(end);
         self.gap = Span::ZERO;
-        let held = self.hold_on(begun, duration, &mut each).await;
+        let held = self.hold_on(begun, end, &mut each).await;
         let over = self.session.is_over();
-        self.session.end_at(None);
+        self.ends_by_the_clock();
         match held {
             Err(failure) if over && failure.is_unheard() => {
-                self.notes_late_end(begun, duration);
+                self.notes_late_end(end);
                 Ok(())
             }
             Err(failure) => Err(self.names_watchdog(failure)),
             Ok(()) => {
-                self.notes_late_end(begun, duration);
+                self.notes_late_end(end);
                 Ok(())
             }
         }
     }
 
+    /// When the run began, which is now if no word could turn the shaft.
+    fn runs_at_the_latest_now(&mut self) -> Tick {
+        self.may_turn();
+        if let Clock::Runs { begun, .. } = self.clock { begun } else { self.session.now() }
+    }
+
+    /// Fails where the time of the run is over.
+    pub(super) fn demand_time(&self) -> Result<(), Failure> {
+        if self.end().is_none_or(|end| self.session.now() < end) { Ok(()) } else { Err(time_over()) }
+    }
+
+    /// The last thing that is said in a run may stay unanswered where its time is over: that was its end.
+    pub fn or_over(&self, said: Result<(), Failure>) -> Result<(), Failure> {
+        let Clock::Runs { begun, .. } = self.clock else { return said };
+        said.or_else(|failure| match failure.is_unheard() && self.session.is_over() && self.heard >= begun {
+            true => Ok(()),
+            false => Err(failure),
+        })
+    }
+
+    /// What follows has no time of its own.
+    pub fn counts_no_more(&mut self) {
+        if matches!(std::mem::take(&mut self.clock), Clock::Runs { .. }) {
+            self.session.end_at(None);
+        }
+    }
+
+    /// Behind the work: no clock puts an end to what follows.
+    pub(super) fn stops_the_clock<T>(&mut self, result: &Result<T, Failure>) {
+        let is_over = self.end().is_some_and(|end| self.session.now() >= end);
+        if is_over && result.as_ref().is_err_and(Failure::is_unheard) {
+            self.notes.push(both!(
+                "--duration was over before that was answered: the stop did not wait for it",
+                "--duration war um, ehe das beantwortet war: der Halt hat darauf nicht gewartet"
+            ));
+        }
+        self.counts_no_more();
+    }
+
     async fn hold_on(
         &mut self,
         begun: Tick,
-        duration: Option<Span>,
+        end: Option<Tick>,
         each: &mut impl AsyncFnMut(&mut Self, Span) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        let end = duration.map(|duration| begun + duration);
-        let mut looked = begun;
+        let mut looked = self.session.now();
         loop {
             let gone = self.session.now().since(begun);
             self.gap = self.gap.longer(self.session.now().since(self.heard));
-            if duration.is_some_and(|duration| gone >= duration) {
+            if end.is_some_and(|end| self.session.now() >= end) {
                 return Ok(());
             }
             // Both together are over before the drive's watchdog would be.
@@ -83,14 +178,13 @@ impl Motor<'_, '_> {
             let room = self.guard.map(|guard| Span::from_micros(guard.as_micros() / 16 * 15) - takes.times(2));
             let by = room.map(|room| looked + room);
             self.keeps(takes, by).await?;
-            let gone = self.session.now().since(begun);
-            self.spend(self.round(duration, gone), end).await?;
+            self.spend(self.round(end), end).await?;
         }
     }
 
     /// Tells an end that came late: nothing on a line puts it off, so this program did not go on for a while.
-    fn notes_late_end(&mut self, begun: Tick, duration: Option<Span>) {
-        let Some(late) = duration.map(|duration| self.session.now().since(begun + duration)) else { return };
+    fn notes_late_end(&mut self, end: Option<Tick>) {
+        let Some(late) = end.map(|end| self.session.now().since(end)) else { return };
         if late >= LATE {
             self.notes.push(both!(
                 "the end came {late} late: this program was held up meanwhile",
@@ -107,20 +201,33 @@ impl Motor<'_, '_> {
             return failure;
         }
         let seconds = Decimal { raw: i64::try_from(guard.as_millis()).unwrap_or(i64::MAX), decimals: 3 };
+        let words = watchdog_words(&self.target.family, Some(seconds));
+        if failure.code == NO_TIME {
+            // Nothing on a line keeps this program from asking.
+            let text = both!(
+                "this program was held up, so that nothing was asked for {gap}, longer than the drive's watchdog allows",
+                "dieses Programm wurde aufgehalten und hat {gap} lang nichts gefragt, länger als der Watchdog des Antriebs zulässt"
+            );
+            return Failure { message: text, ..failure }.hint(both!(
+                "{words}; was it suspended, or the machine asleep or overloaded?",
+                "{words}; war es angehalten, der Rechner im Schlaf oder überlastet?",
+                words
+            ));
+        }
         let told = both!(
             "nothing came from it for {gap}, longer than its watchdog allows; {words}",
             "{gap} lang kam nichts von ihm, länger als sein Watchdog zulässt; {words}",
-            words = watchdog_words(&self.target.family, Some(seconds))
+            words
         );
         let hints: Vec<Text> = std::iter::once(told).chain(failure.hint.as_deref().cloned()).collect();
         failure.hint(Text::join(&hints, "; "))
     }
 
     /// The pause before the next round of a run that is held.
-    fn round(&self, duration: Option<Span>, gone: Span) -> Span {
+    fn round(&self, end: Option<Tick>) -> Span {
         let round = self.beat().times(ROUND);
         // Within a third of the watchdog, with room for the telegrams.
         let round = self.guard.map_or(round, |guard| round.min(Span::from_micros(guard.as_micros() / 4)));
-        duration.map_or(round, |duration| round.min(duration - gone))
+        end.map_or(round, |end| round.min(end.since(self.session.now())))
     }
 }

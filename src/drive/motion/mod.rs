@@ -42,7 +42,7 @@ pub use relief::PROOF;
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
-pub use taking::taken_over;
+pub use taking::{goes_now, taken_over};
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
 pub use watched::Watched;
@@ -59,6 +59,7 @@ use crate::profile::{Blind, Mode, Need, Param};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use futures_util::FutureExt as _;
+use held::Clock;
 use own::Course;
 use std::panic::AssertUnwindSafe;
 use still::Sight;
@@ -158,6 +159,8 @@ pub struct Motor<'a, 's> {
     pub heeded: u32,
     /// Every question ends then, whatever has come of it.
     bound: Option<Tick>,
+    /// The time of a run that is held.
+    clock: Clock,
     /// When it was written to last, and what can be written to it again without changing anything.
     fed: Tick,
     again: Option<(Param, i64)>,
@@ -250,6 +253,7 @@ impl<'a, 's> Motor<'a, 's> {
             hurried: false,
             heeded,
             bound: None,
+            clock: Clock::default(),
             fed: now,
             again: None,
             mode: None,
@@ -299,6 +303,7 @@ impl<'a, 's> Motor<'a, 's> {
             );
             Err(Failure::new(Class::Bug, "bug.panic", text))
         });
+        self.stops_the_clock(&result);
         // What goes on is looked at once more before it is left; what ends, behind its stop.
         let result = if hold { result } else { self.kept(result).await };
         let because = match &result {
@@ -421,6 +426,7 @@ impl<'a, 's> Motor<'a, 's> {
         if self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0) {
             // What was seen before it tells no more that the drive is without power.
             (self.powered, self.shown) = (true, None);
+            self.may_turn();
         }
         self.again = Some((param.clone(), word.into()));
         self.write(&param, 0, word.into()).await

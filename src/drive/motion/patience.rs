@@ -95,11 +95,16 @@ impl Motor<'_, '_> {
                 Err(failure) if failure.is_unheard() => failure,
                 done => return done,
             };
-            if self.session.now().since(begun) >= self.margin() || self.session.is_over() {
+            if self.session.now().since(begun) >= self.margin() || self.session.is_over() || self.is_mute() {
                 return Err(failure);
             }
             self.rest(self.beat()).await?;
         }
+    }
+
+    /// Whether it is asked again only where that must be.
+    fn is_mute(&self) -> bool {
+        self.session.is_mute(self.target.address).is_some()
     }
 
     /// Looks at the state until it is one of `goals`. What ramps or holds gets the time that it needs: patience begins
@@ -116,10 +121,15 @@ impl Motor<'_, '_> {
             self.sight.goes_by_setting();
         }
         loop {
+            self.demand_time()?;
             looks = looks.saturating_add(1);
+            let asked = self.session.now();
             let state = self.state().await?;
             if goals.contains(&state.slug.as_str()) {
                 return Ok(state);
+            }
+            if self.shows_no_power() {
+                self.turns_not_before(asked);
             }
             if state.slug.starts_with("fault") && !fault_is_fine {
                 return Err(self.fault_failure().await);

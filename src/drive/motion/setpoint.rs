@@ -7,6 +7,7 @@ use super::shaft::Watch;
 use super::walk::NOT_OBEYED;
 use super::{Lever, Motor};
 use crate::drive::describe;
+use crate::drive::trouble::TIME_OVER;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, Setpoint};
 use crate::profile::{Control, Mode, Movement, Param, Start};
@@ -22,9 +23,6 @@ const LAG: Span = Span::from_secs(1);
 /// How often a run looks whether it still has control: somebody else may change that, and the status word does not always
 /// tell.
 const CONTROL_LOOKS: Span = Span::from_secs(1);
-
-/// A movement took longer than its run.
-const TIME_OVER: &str = "no.time_over";
 
 /// The drive left the run by itself.
 const LEFT_RUN: &str = "forbidden.left_run";
@@ -93,6 +91,7 @@ impl Motor<'_, '_> {
         let (wait, begun) = (self.wait(), self.session.now());
         let mut first = None;
         loop {
+            self.demand_time()?;
             self.look_on().await?;
             let active = raw(self.session, self.target, shows, 0).await?;
             if active == Some(value) {
@@ -145,6 +144,9 @@ impl Motor<'_, '_> {
             actual: None,
         });
         self.again = Some((param.clone(), raw));
+        if raw != 0 {
+            self.may_turn();
+        }
         let given = self.set(param, raw).await;
         match &given {
             Err(failure) if failure.class == Class::Refused => (self.setpoint, self.again) = (before, None),
@@ -180,16 +182,16 @@ impl Motor<'_, '_> {
 
     /// Starts the movement to the setpoint, waits for its end, and takes the start back. A run that is bounded ends by then, wherever
     /// the shaft is.
-    pub async fn travel(&mut self, start: &Start, by: Option<Tick>) -> Result<(), Failure> {
+    pub async fn travel(&mut self, start: &Start) -> Result<(), Failure> {
         // Once only: the second time could be another movement.
         self.touched = true;
+        self.may_turn();
         self.write_once(&self.control_word()?, 0, start.word.into()).await?;
+        let by = self.end();
         if by.is_some() {
-            self.session.insist(true);
             self.tell_held();
             self.comes_to("held", by);
         }
-        self.session.end_at(by);
         let reached = self.until_reached().await;
         let over = self.session.is_over();
         self.session.end_at(None);
@@ -218,10 +220,7 @@ impl Motor<'_, '_> {
         let (mut wait, mut fell) = (self.wait(), self.session.now());
         let mut has_fallen = travels || looks == 1;
         loop {
-            if self.session.is_over() {
-                let text = both!("the time of the run is over", "die Zeit des Laufs ist um");
-                return Err(Failure::new(Class::No, TIME_OVER, text));
-            }
+            self.demand_time()?;
             let status = self.look_on().await?;
             self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
             let movement = self.movement().await?;

@@ -40,6 +40,11 @@ impl Motor<'_, '_> {
         !self.powered && !self.shouted
     }
 
+    /// Whether the state that was seen last is one without power.
+    pub(super) fn shows_no_power(&self) -> bool {
+        self.seen.as_deref().and_then(has_power) == Some(false)
+    }
+
     /// Notes what a state says of the power.
     pub(super) fn see(&mut self, slug: &str) {
         let on = has_power(slug);

@@ -1,9 +1,11 @@
 //! Taking control of a drive from somebody else, and giving it back.
 
-use super::{Lever, Motor, Situation, has_power};
+use super::own::shown;
+use super::{Lever, Motor, Situation, has_power, role_raw};
+use crate::drive::{Session, Target};
 use crate::failure::Failure;
 use crate::outcome::{Change, State};
-use crate::profile::{Control, Family, Need, Param};
+use crate::profile::{Control, Family, Movement, Need, Param};
 use crate::text::{Text, both};
 
 /// How often it is asked what became of a write.
@@ -40,6 +42,19 @@ pub fn taken_over(before: &Situation, family: &Family, new: i64, again: bool) ->
         how,
         then
     ))
+}
+
+/// What the shaft of a drive does that runs already, where the drive tells a speed.
+pub async fn goes_now(session: &mut Session<'_>, target: &mut Target) -> Result<Option<Text>, Failure> {
+    let family = target.family.clone();
+    let Some(param) = family.role("movement").filter(|_| family.motion.movement == Movement::Speed) else {
+        return Ok(None);
+    };
+    let raw = role_raw(session, target, "movement").await?;
+    Ok(raw.map(|raw| {
+        let (label, now) = (param.label(), shown(param, raw));
+        both!("its shaft turns now: {label} = {now}", "seine Welle dreht jetzt: {label} = {now}")
+    }))
 }
 
 /// Whether the control word does anything in a control mode. Where contacts decide it does not (CM-485 manual 9.1.1); of keypads

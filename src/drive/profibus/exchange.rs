@@ -82,6 +82,8 @@ pub struct Exchange<'l, 'a> {
     pub(super) at_least: Tick,
     /// From here on the words are those of the stop: the time of the run is over.
     pub(super) ends: Option<Tick>,
+    /// So long from the word that starts the motor on, or from the last sight of a motor that does not turn yet.
+    pub(super) lasts: Option<Span>,
     /// A start word went out.
     pub(super) started: bool,
     /// The motor turned, and no start word of ours had gone out.
@@ -142,6 +144,7 @@ impl<'l, 'a> Exchange<'l, 'a> {
             unheard: watchdog + BEYOND,
             at_least: now,
             ends: None,
+            lasts: None,
             started: false,
             driven: false,
             ours: false,
@@ -199,10 +202,15 @@ impl<'l, 'a> Exchange<'l, 'a> {
         }
     }
 
+    /// Whether the time of the run is over.
+    pub(super) fn is_over(&self) -> bool {
+        self.ends.is_some_and(|end| end <= self.line.now())
+    }
+
     async fn once(&mut self) -> Result<Cycle, Failure> {
         let waits = self.station.waits();
         self.line.rest(waits).await?;
-        if self.ends.take_if(|end| *end <= self.line.now()).is_some() {
+        if self.is_over() {
             self.words = self.mode.stop();
         }
         let outputs = self.mode.outputs(self.pkw, self.words);

@@ -39,17 +39,10 @@ impl Exchange<'_, '_> {
     }
 
     /// Holds it, wherever the arrows bring it.
-    pub(super) async fn holds(
-        &mut self,
-        lead: &mut Lead<'_>,
-        maximum: i64,
-        duration: Option<Span>,
-        run: &mut Run,
-    ) -> Result<(), Failure> {
-        let end = duration.map(|duration| self.line.now() + duration);
-        (run.held, self.ends) = (true, end);
-        self.comes_to("held", end);
-        while end.is_none_or(|end| self.line.now() < end) {
+    pub(super) async fn holds(&mut self, lead: &mut Lead<'_>, maximum: i64, run: &mut Run) -> Result<(), Failure> {
+        run.held = true;
+        self.comes_to("held", self.ends);
+        while !self.is_over() {
             self.follows(lead, None, maximum, run);
             let hsw = self.words.hsw;
             let seen = self.obeying().await?;

@@ -5,10 +5,11 @@ use super::mode::{Seen, Words};
 use super::state;
 use super::trouble;
 use super::words::{FULL, Lead, SMALL, Wanted, part};
+use crate::drive::trouble::time_over;
 use crate::exchange::dp::{Cycle, Place};
 use crate::failure::{Class, Failure};
 use crate::outcome::Step;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 
 /// How far a measured scale may be from what A004 tells, percent: P.611 has steps of 0.01 Hz.
 const TOLERANCE: i64 = 4;
@@ -168,13 +169,16 @@ impl Exchange<'_, '_> {
         let first = lead.first.value();
         run.given = Some(first);
         let hsw = self.hsw(first, maximum);
+        self.lasts = duration.filter(|_| !until).map(|duration| duration + lead.takes);
         self.start(Words { stw: word, hsw }, wait, run).await?;
         self.turns(hsw, wait, run).await?;
+        self.lasts = None;
         self.leads(&mut lead, (maximum, wait), run).await?;
         if until {
             self.reaches(self.words.hsw, wait, run).await?;
+            self.ends = duration.map(|duration| self.line.now() + duration);
         }
-        self.holds(&mut lead, maximum, duration, run).await
+        self.holds(&mut lead, maximum, run).await
     }
 
     /// Looks at the motor under the stop word.
@@ -256,9 +260,11 @@ impl Exchange<'_, '_> {
         // From here on the motor may turn, whatever becomes of it.
         (self.ours, self.started) = (true, true);
         self.words = words;
+        self.turns_from(begun);
         run.setpoints += 1;
         run.reached = Some(false);
         loop {
+            self.demand_time()?;
             let seen = self.obeying().await?;
             if seen.has_started() {
                 if starts {
@@ -304,6 +310,18 @@ impl Exchange<'_, '_> {
         found.ok_or_else(|| trouble::scale(self.address(), (hsw, told), (maxima, called)))
     }
 
+    /// The motor may turn from this moment on, so the time of the run begins.
+    fn turns_from(&mut self, at: Tick) {
+        if let Some(lasts) = self.lasts {
+            self.ends = Some(at + lasts);
+        }
+    }
+
+    /// Fails where the time of the run is over.
+    fn demand_time(&self) -> Result<(), Failure> {
+        if self.is_over() { Err(time_over().with("address", self.address())) } else { Ok(()) }
+    }
+
     /// A run is proven by who controls, and by the frequency; the bits of the status word say what was commanded.
     pub(super) async fn turns(&mut self, hsw: u16, wait: Span, run: &mut Run) -> Result<(), Failure> {
         if let Some(who) = self.told(WHO).await?.filter(|who| who & BOTH != BOTH) {
@@ -312,11 +330,14 @@ impl Exchange<'_, '_> {
         }
         let begun = self.line.now();
         loop {
+            self.demand_time()?;
+            let asked = self.line.now();
             let seen = self.obeying().await?;
             run.actual = Some(seen.hiw);
             if seen.hiw != 0 || hsw == 0 {
                 return Ok(());
             }
+            self.turns_from(asked);
             if self.line.now().since(begun) > wait {
                 return Err(trouble::turns_not(self.address()));
             }

@@ -1,9 +1,11 @@
-//! What nobody answers, and must be said while it goes on being sent.
+//! What nobody answers: where that must be said while it goes on being sent, and where nobody is asked again.
 
 use super::Session;
+use crate::exchange::{Answer, ExchangeError, Question};
 use crate::outcome::Event;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
+use std::collections::BTreeMap;
 
 /// Without a valid answer for so long it is said.
 const LONG: Span = Span::from_secs(2);
@@ -17,7 +19,45 @@ pub(super) struct Warns {
     since: Tick,
 }
 
+/// Stations behind a gateway, and why the first value that was asked of each brought no answer; `None`: it has answered.
+///
+/// A gateway waits for its station itself and says so if that does not answer (exception 0B, V1.1b3 7): who never said a word within
+/// the longest time that a question has will not say one to the next.
+#[derive(Debug, Default)]
+pub(super) struct Mute {
+    stations: BTreeMap<u8, Option<ExchangeError>>,
+    asks_on: bool,
+}
+
 impl Session<'_> {
+    /// From now on who has never answered is asked again all the same: for what counts that, or waits for it.
+    pub(in crate::drive) fn asks_on(&mut self) {
+        self.mute.asks_on = true;
+    }
+
+    /// Why a station is not asked again. What must be sent is sent all the same.
+    pub(in crate::drive) fn is_mute(&self, station: u8) -> Option<ExchangeError> {
+        let asks = self.insists || self.mute.asks_on;
+        self.mute.stations.get(&station).cloned().flatten().filter(|_| !asks)
+    }
+
+    /// What came of a question to a station.
+    pub(super) fn notes_mute(&mut self, station: u8, question: &Question, outcome: &Result<Answer, ExchangeError>) {
+        if !self.line.borrow().master.is_numbered() {
+            return;
+        }
+        match outcome {
+            // A function that a station does not know may be left without a word, against the standard.
+            Err(ExchangeError::Silence { .. }) if !question.asks_for_a_value() => {}
+            Err(silence @ ExchangeError::Silence { .. }) => {
+                self.mute.stations.entry(station).or_insert_with(|| Some(silence.clone()));
+            }
+            _ => {
+                self.mute.stations.insert(station, None);
+            }
+        }
+    }
+
     /// From now on this is told, once, where no valid answer comes for 2 s; what began to count before goes on.
     pub(in crate::drive) fn warns(&mut self, text: Text) {
         let since = self.now();

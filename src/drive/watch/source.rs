@@ -62,6 +62,7 @@ impl Source for Session<'_> {
 
     /// A drive that was silent is asked once, so that it does not hold up the others.
     async fn read(&mut self, station: &mut Station, watch: &Watch<'_>) -> Result<Haul, Failure> {
+        self.asks_on();
         let retries = self.set_retries(0);
         if station.silent.is_none() {
             self.set_retries(retries);

@@ -207,3 +207,77 @@ fn a_new_address_is_proven_where_the_drive_is_then() {
     let lost = lost.on("[[drive]]\nmodel = \"acu\"\n[[disturb]]\nonce = 2\nkind = \"lost\"\n").json();
     assert!(["verified", "unknown"].contains(&lost.data("/values/0/result").as_str().unwrap()), "{:#}", lost.value);
 }
+
+/// A word that is obeyed and whose answer is lost turns the shaft all the same: the time counts from when it goes out.
+#[test]
+fn the_time_of_a_run_counts_from_the_word_that_can_turn_the_shaft() {
+    const SETPOINT: &str = "01 65 01 E4 00 00 03";
+    const DISABLE: &str = "01 06 01 9A 00 07";
+    let bus = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\n";
+    let contacts = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 2, \"434\" = 3, \"228\" = 0, \"480\" = 10 }\n";
+    // What can turn the shaft, what takes that away, and how long it may turn.
+    let runs = [
+        (INVERTER, "sollwert 10Hz --enable --hold --duration 1s", SETPOINT, DISABLE, 1_000.0),
+        (
+            INVERTER,
+            "sollwert --ramp 5Hz:10Hz:500ms --enable --hold --duration 500ms",
+            "01 65 01 E4 00 00 01",
+            DISABLE,
+            1_000.0,
+        ),
+        (INVERTER, "sollwert 10Hz --jog 700ms", SETPOINT, DISABLE, 700.0),
+        (INVERTER, "statemachine enable --hold --duration 1s", "01 06 01 9A 00 0F", DISABLE, 1_000.0),
+        (INVERTER, "statemachine goto operation-enabled --hold --duration 1s", "01 06 01 9A 00 0F", DISABLE, 1_000.0),
+        (
+            contacts,
+            "statemachine contacts S2IND --hold --duration 1s",
+            "01 06 01 9A 00 0",
+            "01 06 01 9A 00 00",
+            1_000.0,
+        ),
+        (
+            SERVO,
+            "sollwert 300rpm --enable --hold --duration 1s",
+            "01 10 1B 1A 00 02 04 00 00 01",
+            "01 10 1B 1A 00 02 04 00 00 00 00",
+            1_000.0,
+        ),
+        (
+            bus,
+            "--protocol vabus sollwert 10Hz --enable --hold --duration 1s",
+            "04 41 02 30 30 34 38 34 30 38 30 30 30 30 30 33",
+            "04 41 02 30 30 34 31 30 30 34 30 30 30 37",
+            1_000.0,
+        ),
+    ];
+    let mut sins = Vec::new();
+    for (drive, line, turns, stop, most) in runs {
+        let model = if drive == SERVO { "lxm05" } else { "acu" };
+        for timeout in ["", "--timeout 10s "] {
+            let (mut found, mut first) = (0, 0);
+            for from in 1..70 {
+                let lost: String =
+                    (from..from + 250).map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"lost\"\n")).collect();
+                let line = format!("--drive {model} -a 1 --yes -v {timeout}{line}");
+                let (run, ..) = ended(&line, &format!("{drive}{lost}"));
+                let mut behind = run.err.lines();
+                let begun = behind.find(|line| line.contains(&format!("> {turns}"))).and_then(at);
+                let Some(begun) = begun else {
+                    first = from;
+                    continue;
+                };
+                found += 1;
+                let ended = behind.find(|line| line.contains(&format!("> {stop}"))).and_then(at);
+                // Before it a line that is silent is waited for, at most 100 ms.
+                if ended.is_none_or(|ended| ended - begun > most + 150.0) {
+                    sins.push(format!("{line}: lost from {from} on: from {begun} to {ended:?}"));
+                }
+                if from > first + 6 {
+                    break;
+                }
+            }
+            assert!(found > 3, "{line}: it never turned");
+        }
+    }
+    assert!(sins.is_empty(), "{}", sins.join("\n"));
+}

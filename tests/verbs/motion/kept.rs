@@ -47,7 +47,7 @@ fn what_was_set_to_0_before_the_enable_is_no_change_to_give_back() {
     // Only an ACT lets its line setpoint be read, so that it could be remembered.
     let inverter = drive(&format!("{READY}, \"484\" = 10"), "").replace("acu", "act");
     for (bench, who, setpoint) in [(standing, "--drive lxm05", 6_938), (inverter, "-b 115200 --drive act", 484)] {
-        let line = format!("{who} -a 1 --yes statemachine enable --hold --duration 50ms --on-exit coast");
+        let line = format!("{who} -a 1 --yes statemachine enable --hold --duration 200ms --on-exit coast");
         let run = antrieb(&line).on(&bench).json().exits(0);
         let (bench, _) = witness::left().unwrap();
         let left = bench.drive(1).unwrap().ram(setpoint, 0);

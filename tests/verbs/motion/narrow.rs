@@ -95,7 +95,7 @@ fn an_even_way_to_a_target_is_waited_for_and_a_shaft_that_stands_before_it_is_no
             motor.enter().await?;
             motor.give(&target, 163_840, "usr").await?;
             let start = mode.starts.iter().find(|start| start.slug == "relative").unwrap();
-            motor.travel(start, None).await
+            motor.travel(start).await
         })
     };
     let far = travel(60, "");

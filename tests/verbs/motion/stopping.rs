@@ -319,7 +319,7 @@ fn a_watchdog_that_only_writes_feed_is_fed_in_every_wait_and_hold() {
             }
             motor.give(&param, raw, "").await?;
             match mode.starts.first() {
-                Some(start) => motor.travel(start, None).await?,
+                Some(start) => motor.travel(start).await?,
                 None if mode.endless => {}
                 None => motor.until_reached().await?,
             }

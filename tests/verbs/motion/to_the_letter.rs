@@ -159,7 +159,7 @@ fn a_ramp_gives_the_setpoint_0_before_it_asks_for_the_mode_and_only_where_0_stop
             motor.enter().await?;
             motor.give(&family.param_or_unknown(mode.setpoint), raw, "").await?;
             if let Some(start) = mode.starts.first() {
-                motor.travel(start, None).await?;
+                motor.travel(start).await?;
             }
             motor.hold(Some(Span::from_millis(300)), async |_: &mut Motor<'_, '_>, _| Ok(())).await
         })
