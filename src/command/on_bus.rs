@@ -29,7 +29,7 @@ pub(super) fn check(settings: &Settings, steps: &[Step]) -> Result<(), Failure> 
     if !settings.is_can() {
         return Ok(());
     }
-    if let Some(step) = steps.iter().find(|step| cut_by(settings.protocol, 0).contains(&step.param.id)) {
+    if let Some(step) = steps.iter().find(|step| cut_by(settings.protocol).contains(&step.param.id)) {
         return Err(own_line(step.param.id, &step.param.label()));
     }
     match steps.iter().find(|step| step.kind.is_none()) {

@@ -119,7 +119,7 @@ impl Seated {
                 let found = look(session, seen.target).await;
                 let Some(drive) = self.plan.drives.iter_mut().find(|drive| drive.name == member.name) else { continue };
                 let why = settle(drive, &found);
-                let own = if writes { cut_by(settings.protocol, 0) } else { &[] };
+                let own = if writes { cut_by(settings.protocol) } else { &[] };
                 let why = why.or_else(|| cuts(&self.plan, &member.name, &found, own));
                 unsettled.extend(why.map(|why| (member.name.clone(), why)));
             }
