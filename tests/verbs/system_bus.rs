@@ -375,4 +375,20 @@ fn a_node_behind_a_drive_is_told_with_its_node() {
     assert_eq!(refused.error()["context"]["node"], "17");
     let rows = on("monitor 480 --count 1 --format table").exits(0).out;
     assert!(rows.lines().nth(1).unwrap().contains(" 3.17 "), "{rows}");
+    // And so in what goes on over time, is compared, and is handed over.
+    let records = on("monitor 480 --count 1 --format ndjson").exits(0).out;
+    let records: Vec<Value> = records.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!([&records[0]["drives"][0]["node"], &records[1]["node"]], [&json!(17), &json!(17)], "{records:?}");
+    let csv = on("monitor 480 --count 1 --format csv").exits(0).out;
+    assert!(csv.contains(",3.17,acu,"), "{csv}");
+    let file = "antrieb = 1\ndrive.family = \"acu\"\nvalues.480 = 9\n";
+    let check = || on("dataset check {dir}/x.toml").file("x.toml", file);
+    assert!(check().exits(1).out.contains("drive 3.17 ("));
+    let side = check().json().exits(1).data("/comparisons/0/b").clone();
+    assert_eq!([&side["name"], &side["node"]], [&json!("drive 3.17"), &json!(17)]);
+    let unified = on("dataset check {dir}/x.toml --unified").file("x.toml", file).exits(1).out;
+    assert!(unified.contains("drive 3.17") && !unified.contains("drive 3\n"), "{unified}");
+    let report = on("report").exits(0).out;
+    assert!(report.contains("3.17") && !report.contains("   3  acu"), "{report}");
+    assert_eq!(on("report").json().exits(0).data("/drives/0/node"), 17);
 }
