@@ -392,3 +392,28 @@ fn a_node_behind_a_drive_is_told_with_its_node() {
     assert!(report.contains("3.17") && !report.contains("   3  acu"), "{report}");
     assert_eq!(on("report").json().exits(0).data("/drives/0/node"), 17);
 }
+
+/// A drive of a plan may be a node behind another one.
+#[test]
+fn a_plan_is_held_against_a_node_behind_a_drive_and_set_there() {
+    let bench = |set: &str| {
+        format!(
+            "[[drive]]\nmodel = \"acu\"\naddress = 3\nprotocol = \"vabus\"\nmodules = [\"EM-RES-03\"]\n\
+             nodes = [{{ id = 1, model = \"acu\", modules = [\"EM-RES-03\"], set = {{ {set} }} }}]\n"
+        )
+    };
+    let set = format!("\"903\" = 7, {SET}");
+    let on = |line: &str, set: &str| antrieb(line).on(&bench(set)).file("bus.toml", PLAN);
+    let check = "--protocol vabus systembus check {dir}/bus.toml drive-2=3.1";
+    assert!(on(check, &set).exits(0).out.contains("  3.1  acu "));
+    let run = on(check, &set).json().exits(0);
+    assert_eq!([run.data("/drives/0/b/name"), run.data("/drives/0/b/node")], [&json!("drive 3.1"), &json!(1)]);
+    // Drive 3 itself has none of it.
+    on("--protocol vabus systembus check {dir}/bus.toml drive-2=3", &set).json().exits(1);
+    on("systembus check {dir}/bus.toml drive-2=3.1", &set).exits(2);
+    let apply = "--protocol vabus --yes systembus apply {dir}/bus.toml drive-2=3.1";
+    let run = on(apply, "\"903\" = 7").json().exits(0);
+    let values = run.data("/drives/0/values").as_array().unwrap();
+    assert!(!values.is_empty() && values.iter().all(|row| row["node"] == 1), "{values:?}");
+    assert!(on(apply, "\"903\" = 7").exits(0).out.contains("drive 3.1 (acu)"));
+}
