@@ -417,3 +417,16 @@ fn a_plan_is_held_against_a_node_behind_a_drive_and_set_there() {
     assert!(!values.is_empty() && values.iter().all(|row| row["node"] == 1), "{values:?}");
     assert!(on(apply, "\"903\" = 7").exits(0).out.contains("drive 3.1 (acu)"));
 }
+
+/// Where one frame in ten is lost either way, a long run comes to its end, and who stays silent is told as on a bus.
+#[test]
+fn what_is_lost_on_the_way_ends_no_long_run() {
+    for seed in [3, 8] {
+        let bench = format!("[bus]\nlosses = 100\nseed = {seed}\n{}", on_bus(&[(5, "")]));
+        antrieb("--protocol sdo -a 5 read 900-989").on(&bench).exits(0);
+        antrieb("--protocol sdo -a 5 dataset save {dir}/x.toml").on(&bench).exits(0);
+        let run = antrieb("--protocol sdo -a 5 --retries 0 read 900-989").on(&bench).json().exits(9);
+        let hint = run.error()["hint"].as_str().unwrap();
+        assert!(hint.contains("P.900") && !hint.contains("P.395"), "{hint}");
+    }
+}
