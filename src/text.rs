@@ -100,6 +100,12 @@ impl Text {
         both!("{count} {en}", "{count} {de}")
     }
 
+    /// The text with the first place of another one in it replaced.
+    pub fn replacing(&self, old: &Text, new: &Text) -> Self {
+        let in_one = |text: &str, old: &str, new: &str| text.replacen(old, new, 1).into();
+        Text { en: in_one(&self.en, &old.en, &new.en), de: in_one(&self.de, &old.de, &new.de) }
+    }
+
     /// What `say` says in each language.
     pub fn by(say: impl Fn(Lang) -> String) -> Self {
         Text { en: Cow::Owned(say(Lang::En)), de: Cow::Owned(say(Lang::De)) }

@@ -37,6 +37,13 @@ pub(super) fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
     })
 }
 
+/// Reads `3`, `3.17`: the address of one drive on a serial line, and the node behind it, 0 if it is the drive itself.
+pub fn parse_place(text: &str) -> Option<(u8, u8)> {
+    let (drive, node) = text.split_once('.').map_or((text, None), |(drive, node)| (drive, Some(node)));
+    let address = drive.parse().ok().filter(|address| (1..=LAST_STATION).contains(address))?;
+    Some((address, node.map_or(Some(0), |node| parse_node(drive, node).ok())?))
+}
+
 /// Highest node of the system bus (EM-RES-03 manual 5.10.2.2).
 const LAST_NODE: u8 = 63;
 

@@ -11,7 +11,10 @@ use crate::text::both;
 use crate::transport::Port;
 
 /// A node of the system bus lies behind a drive that passes on what it is asked.
-pub(super) fn check_node(node: u8, protocol: Protocol) -> Result<(), Failure> {
+///
+/// # Errors
+/// What is spoken reaches none.
+pub fn check_node(node: u8, protocol: Protocol) -> Result<(), Failure> {
     if node == 0 || protocol == Protocol::Vabus {
         return Ok(());
     }

@@ -82,7 +82,7 @@ pub struct Globals {
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
     pub timeout: Option<Span>,
 
-    /// Repeats of a question [default: 2; 0 behind a gateway]
+    /// Repeats of a question [default: 2; 6 over CAN; 0 behind a gateway]
     ///
     /// How often a question is repeated that got no valid reply.
     #[arg(long, global = true, value_name = "N", help_heading = "Line", value_parser = clap::value_parser!(u8).range(0..=20))]

@@ -14,7 +14,8 @@ mod takes;
 mod warned;
 mod wrong;
 
-pub use address::{Addresses, parse_addresses};
+pub use address::{Addresses, parse_addresses, parse_place};
+pub use bus::check_node;
 pub use choices::{named_drives, named_groups, ports_there, usb_ports};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use low::{Environment, Origin, Typed, is_apart};

@@ -1,7 +1,7 @@
 //! What is otherwise where a drive is reached through another one (`-a 3.17`): it is told by the address that was typed.
 
 use crate::failure::Failure;
-use crate::outcome::{Data, Outcome};
+use crate::outcome::{Comparison, Data, Outcome};
 use crate::text::Text;
 
 /// What stands before the address of a drive.
@@ -17,6 +17,14 @@ pub fn told(outcome: Result<Outcome, Failure>, node: u8) -> Outcome {
     match &mut outcome.data {
         Some(Data::Identify(found)) => found.drives.iter_mut().for_each(|one| one.node = node),
         Some(Data::Diag(found)) => found.drives.iter_mut().for_each(|one| one.node = node),
+        Some(Data::Comparisons(found)) => found.comparisons.iter_mut().for_each(|one| compared(one, node)),
+        Some(Data::Report(found)) => {
+            for one in &mut found.drives {
+                one.node = node;
+                one.identity.iter_mut().for_each(|identity| identity.node = node);
+                one.diagnosis.iter_mut().for_each(|diagnosis| diagnosis.node = node);
+            }
+        }
         _ => {}
     }
     for warning in &mut outcome.warnings {
@@ -27,6 +35,16 @@ pub fn told(outcome: Result<Outcome, Failure>, node: u8) -> Outcome {
         if failure.context.iter().any(|fact| fact.0 == "node") { failure } else { failure.with("node", node) }
     });
     Outcome { failure, ..outcome }
+}
+
+/// The same of a side of a comparison that is a drive.
+pub(super) fn compared(one: &mut Comparison, node: u8) {
+    for side in [&mut one.a, &mut one.b].into_iter().filter(|side| side.address.is_some() && node > 0) {
+        let name = behind(&side.name, node);
+        let named = |text: &Text| text.replacing(&side.name, &name);
+        one.unified = one.unified.as_ref().map(named);
+        (side.name, side.node) = (name, node);
+    }
 }
 
 /// A text in which the drive is named with its node.

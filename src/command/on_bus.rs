@@ -1,8 +1,8 @@
 //! What is otherwise where the line is a CAN bus.
 
 use crate::args::Settings;
-use crate::drive::cut_by;
 use crate::drive::job::{self, Step};
+use crate::drive::{advice, cut_by};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::text::{Text, both};
@@ -29,7 +29,7 @@ pub(super) fn check(settings: &Settings, steps: &[Step]) -> Result<(), Failure> 
     if !settings.is_can() {
         return Ok(());
     }
-    if let Some(step) = steps.iter().find(|step| cut_by(settings.protocol, 0).contains(&step.param.id)) {
+    if let Some(step) = steps.iter().find(|step| cut_by(settings.protocol).contains(&step.param.id)) {
         return Err(own_line(step.param.id, &step.param.label()));
     }
     match steps.iter().find(|step| step.kind.is_none()) {
@@ -70,7 +70,10 @@ pub fn advised(outcome: Result<Outcome, Failure>) -> Outcome {
             error.hint = Some(silent());
         }
     });
-    let failure = outcome.failure.map(|failure| match failure.code == SILENT {
+    // What failed in part has the code of that, and the hint of what failed first.
+    let serial = advice(SILENT);
+    let is_silence = |failure: &Failure| failure.code == SILENT || failure.hint.as_deref() == serial.as_ref();
+    let failure = outcome.failure.map(|failure| match is_silence(&failure) {
         true => failure.hint(silent()),
         false => failure,
     });

@@ -15,7 +15,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Hazard, Permit, Writes, Writing};
 use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError};
-use crate::profile::{Family, Param, Role, Selector, Type};
+use crate::profile::{Family, HazardKind, Param, Role, Selector, Type};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -225,7 +225,9 @@ fn better_by_line(steps: &[Step], family: &Family, own: Option<Role>) -> Option<
         (Role::Parity, "line set --parity"),
         (Role::Protocol, "protocol set"),
     ];
-    let is_written = |role: Role| family.role(role).filter(|param| steps.iter().any(|step| step.param.id == param.id));
+    let cuts = |step: &Step| step.param.hazard == Some(HazardKind::Line);
+    let is_written =
+        |role: Role| family.role(role).filter(|param| steps.iter().any(|step| cuts(step) && step.param.id == param.id));
     let (param, verb) = verbs.into_iter().find_map(|(role, verb)| Some((is_written(role)?, verb)))?;
     Some(both!(
         "{label} is a setting of the line: `{verb}` changes it, follows the drive and proves that it answers",
@@ -258,7 +260,7 @@ fn steps(args: &Args, family: &Family, terms: &Terms<'_>) -> Result<Vec<Step>, F
         let here = |step: Step| Step { param: terms.on_line(family, &step.param), ..step };
         steps.extend(assigned(args, family, who, what)?.into_iter().map(here));
     }
-    cutting_last(steps, family, terms.own_address())
+    cutting_last(steps, family, (terms.own_address(), terms.speech.node))
 }
 
 /// One of them: a step for each parameter and data set that it names.
@@ -287,20 +289,27 @@ fn assigned(args: &Args, family: &Family, who: &str, what: &str) -> Result<Vec<S
 }
 
 /// Behind what cuts the line at once nobody is reached, so it goes last; and there is only one last.
-fn cutting_last(mut steps: Vec<Step>, family: &Family, own: Option<Role>) -> Result<Vec<Step>, Failure> {
+fn cutting_last(mut steps: Vec<Step>, family: &Family, (own, node): (Option<Role>, u8)) -> Result<Vec<Step>, Failure> {
     let cuts = |step: &Step| job::cuts(&step.param, family, own);
     steps.sort_by_key(cuts);
     let mut cutting = steps.iter().rev().take_while(|step| cuts(step)).map(|step| step.param.label());
     let (Some(last), Some(other)) = (cutting.next(), cutting.next()) else { return Ok(steps) };
     let message = both!(
-        "{other} and {last} both cut the line or restart the drive at once; write them one by one",
-        "{other} und {last} kappen beide sofort die Leitung oder starten den Antrieb neu"
+        "{other} and {last} both can cut the line or restart the drive at once; write them one by one",
+        "{other} und {last} können beide sofort die Leitung kappen oder den Antrieb neu starten; einzeln schreiben"
     );
-    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(both!(
-        "behind the first the drive is reached with its new setting only; `line set` changes several and follows",
-        "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und \
-         folgt"
-    )))
+    let hint = match node {
+        0 => both!(
+            "behind the first the drive is reached with its new setting only; `line set` changes several and follows",
+            "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und \
+             folgt"
+        ),
+        _ => both!(
+            "behind each of them it is looked whether the node still answers; `line set` follows no node behind a drive",
+            "nach jedem wird geprüft, ob der Knoten noch antwortet; `line set` folgt keinem Knoten hinter einem Antrieb"
+        ),
+    };
+    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(hint))
 }
 
 /// The raw value, if everything that the catalogue knows allows it.

@@ -63,7 +63,18 @@ pub async fn watch_bus(
         failure = Some(trouble::unheard(session.port(), session.line().baud, flags));
     }
     census.lost = session.frames_lost();
+    if failure.is_none() && session.was_overrun().await {
+        session.tell(Event::Note(overrun()));
+    }
     (census.told(session.port(), session.now(), because), failure)
+}
+
+/// The adapter lost frames itself, and does not tell how many.
+fn overrun() -> Text {
+    both!(
+        "the adapter tells that it lost frames (overrun): not all that was on the bus is here",
+        "der Adapter meldet, dass er Frames verloren hat (Überlauf): hier steht nicht alles, was auf dem Bus war"
+    )
 }
 
 async fn listen(

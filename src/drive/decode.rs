@@ -20,6 +20,7 @@ use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
 use crate::text::{Text, both};
 use crate::transport::{TraceLine, read_trace};
 
+pub(super) use can::damaged_word;
 pub use can::{Written, is_can, log};
 
 /// Meaning and fields of what stands between the address and the check value.

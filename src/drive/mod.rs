@@ -66,6 +66,7 @@ pub use tally::{is_over, summary};
 pub use target::Target;
 pub use terms::{Recognised, Stated, Terms, cut_by, who};
 pub use transfer::Reading;
+pub use trouble::advice;
 pub use upper::{Price, Upper};
 pub use watch::{Calls, Chosen, Compare, Condition, Item, Place, Rounds, Select, Signal, Test, When, Window, watch};
 pub use write::{Order, WriteFate};

@@ -18,6 +18,10 @@ const GATEWAY_PATIENCE: Span = Span::from_secs(3);
 /// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
 const GATEWAY_REPEATS: u8 = 0;
 
+/// An adapter or a bridge loses frames, and nothing on the bus says so: where one in ten is lost either way, six repeats leave one question in
+/// a hundred thousand without an answer.
+const BUS_REPEATS: u8 = 6;
+
 /// Behind both halves of a request over PKW and what is borne of a slave besides, whoever keeps it going says himself that it is silent.
 const SLAVE_PATIENCE: Span = Span::from_secs(15);
 
@@ -60,6 +64,7 @@ impl<'a> Opening<'a> {
         let (patience, repeats) = match self.protocol {
             Protocol::Modbus(Framing::Tcp) => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
             Protocol::Pkw => (SLAVE_PATIENCE, GATEWAY_REPEATS),
+            Protocol::Sdo(_) => (usual.reply_timeout, BUS_REPEATS),
             _ => (usual.reply_timeout, usual.retries),
         };
         let (reply_timeout, retries) = (self.timeout.unwrap_or(patience), self.retries.unwrap_or(repeats));

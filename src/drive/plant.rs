@@ -115,6 +115,7 @@ impl Line<'_> {
     pub async fn look_again(&mut self) {
         let Some(session) = &mut self.session else { return };
         for member in self.members.iter_mut().filter(|member| member.is_due()) {
+            member.turn_to(session);
             let Some(found) = &mut member.found else { continue };
             if let Err(failure) = transaction::still_may(session, &mut found.plan).await {
                 member.leave(failure);
@@ -151,6 +152,7 @@ impl Line<'_> {
         let Some(session) = &mut self.session else { return };
         session.note_interrupts();
         for member in self.members.iter_mut().rev() {
+            member.turn_to(session);
             if let (Some(found), Some(done)) = (&mut member.found, &mut member.applied)
                 && matches!(done.applied.ended, LoadEnd::Done | LoadEnd::Stored)
                 && let Some(left) = &done.undo_file
@@ -198,11 +200,17 @@ impl Member<'_> {
         self.left = Some(why);
     }
 
+    /// From now on the session asks this drive, or the node behind it.
+    fn turn_to(&self, session: &mut Session<'_>) {
+        session.reach_node(self.terms.speech.node);
+    }
+
     /// The drive at its address, if it is the one that was meant.
     ///
     /// # Errors
     /// Nobody answers, or another drive.
     pub async fn identify(&self, session: &mut Session<'_>) -> Result<Recognised, Failure> {
+        self.turn_to(session);
         let mut drive = self.terms.asked(session, self.address, &self.family).await?;
         if self.product.is_some() {
             drive.product = self.terms.product(session, &drive).await?;

@@ -72,7 +72,10 @@ pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listeni
     let (search, cut) = sought.map_or((None, None), |sought| (Some(sought.told()), sought.cut));
     // What was begun is told as it is.
     log.tell(session, ear.silence());
-    let summary = SniffSummary { search, ..summary(session, &ear, because) };
+    // Where nothing was heard, the same flags tell why; reading clears them.
+    let has_heard = ear.census.count(session.now()).heard > 0;
+    let is_overrun = session.line().is_can() && has_heard && error.is_none() && session.was_overrun().await;
+    let summary = SniffSummary { search, ..summary(session, &ear, because, is_overrun) };
     let mut failure = error.or(cut).map(|error| error.failure(0, None));
     if failure.is_none() && summary.count.heard == 0 {
         failure = bus::unheard(session).await;
@@ -106,7 +109,7 @@ async fn listen(
             Ok(Wake::Bytes(bytes)) => {
                 last = now;
                 match session.heard_frames() {
-                    Some(frames) => ear.frames(last, &frames),
+                    Some(frames) => ear.frames(last, &frames, session.damaged_words()),
                     None => ear.feed(last, &bytes),
                 }
             }
@@ -134,7 +137,7 @@ async fn listen(
     }
 }
 
-fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> SniffSummary {
+fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str, is_overrun: bool) -> SniffSummary {
     SniffSummary {
         because,
         port: session.port().to_owned(),
@@ -142,7 +145,7 @@ fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> Sniff
         protocol: ear.speaks,
         search: None,
         count: ear.census.count(session.now()),
-        unseen: if session.line().is_can() { bus::unseen(session.frames_lost()) } else { unseen() },
+        unseen: if session.line().is_can() { bus::unseen(session.frames_lost(), is_overrun) } else { unseen() },
     }
 }
 

@@ -60,14 +60,36 @@ pub struct Stated {
 /// 5.9.4).
 const PLACE_ON_BUS: [u32; 5] = [900, 903, 921, 922, 923];
 
-/// What of it cuts the line of who asks over that bus: the settings of the channel that he does not use are settings like any other.
-pub fn cut_by(protocol: Protocol, node: u8) -> &'static [u32] {
-    match protocol {
-        _ if node > 0 => &PLACE_ON_BUS,
-        Protocol::Sdo(SdoChannel::Two) => &[900, 903, 923],
-        Protocol::Sdo(SdoChannel::One) => &[900, 903, 921, 922],
-        Protocol::Modbus(_) | Protocol::Vabus | Protocol::Pkw => &[],
-    }
+/// What of a drive can cut it off, by the way that it is asked.
+#[derive(Debug, PartialEq)]
+struct Cut {
+    /// What its catalogue says of its serial plug: P.10, 394, 395, 1375, 1376 (CM-485 manual 11.2).
+    plug: bool,
+    /// Of its place on the system bus. Which channel a drive asks a node behind it over, no source tells.
+    place: &'static [u32],
+}
+
+/// Each way to a drive. What does not lie on it is a setting like any other: P.395 of a node settles its own plug, and nothing that is
+/// asked over the bus goes there.
+fn cut_on(protocol: Protocol, node: u8) -> Cut {
+    let (plug, place): (bool, &[u32]) = match protocol {
+        Protocol::Modbus(_) | Protocol::Vabus if node == 0 => (true, &[]),
+        Protocol::Modbus(_) | Protocol::Vabus => (false, &PLACE_ON_BUS),
+        Protocol::Sdo(SdoChannel::Two) => (false, &[900, 903, 923]),
+        Protocol::Sdo(SdoChannel::One) => (false, &[900, 903, 921, 922]),
+        Protocol::Pkw => (false, &[]),
+    };
+    Cut { plug, place }
+}
+
+/// What of its place on the system bus cuts off a drive that is asked over that bus.
+pub fn cut_by(protocol: Protocol) -> &'static [u32] {
+    cut_on(protocol, 0).place
+}
+
+/// Whether it is of the place of a node on the system bus.
+pub(super) fn is_place_on_bus(param: &Param) -> bool {
+    PLACE_ON_BUS.contains(&param.id)
 }
 
 /// A drive, and what told that it is this one.
@@ -92,13 +114,15 @@ impl Terms<'_> {
         decode::Reader { family: Some(family), ..self.speech }
     }
 
-    /// A parameter as it is on this line: what sets a node's place on the system bus cuts the line where that goes over the bus, to the
-    /// drive itself or to one behind it, and is a setting like any other where it does not.
+    /// A parameter as it is on this line: what settles a plug or a place that nothing of this goes over is a setting like any other.
     pub fn on_line(&self, family: &Family, param: &Param) -> Param {
-        let cuts = cut_by(self.speech.protocol, self.speech.node).contains(&param.id);
-        let is_place = PLACE_ON_BUS.contains(&param.id);
-        let is_of_bus = is_place && family.group("systembus").is_some_and(|bus| bus.contains(&param.id));
-        let hazard = if is_of_bus { cuts.then_some(HazardKind::Line) } else { param.hazard };
+        let cut = cut_on(self.speech.protocol, self.speech.node);
+        let is_of_bus = is_place_on_bus(param) && family.group("systembus").is_some_and(|bus| bus.contains(&param.id));
+        let hazard = match param.hazard {
+            _ if is_of_bus => cut.place.contains(&param.id).then_some(HazardKind::Line),
+            Some(HazardKind::Line) => cut.plug.then_some(HazardKind::Line),
+            other => other,
+        };
         Param { hazard, ..param.clone() }
     }
 
@@ -307,8 +331,13 @@ impl Terms<'_> {
     }
 }
 
+/// An address as it is typed, with a node of the system bus behind it: `3`, `3.17`.
+pub(super) fn typed(address: u8, node: u8) -> String {
+    if node == 0 { address.to_string() } else { format!("{address}.{node}") }
+}
+
 /// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.
 pub fn who(address: u8, node: u8, drive: &str) -> Text {
-    let behind = if node == 0 { String::new() } else { format!(".{node}") };
-    both!("drive {address}{behind} ({drive})", "Antrieb {address}{behind} ({drive})")
+    let at = typed(address, node);
+    both!("drive {at} ({drive})", "Antrieb {at} ({drive})")
 }

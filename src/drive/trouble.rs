@@ -12,6 +12,7 @@ use crate::failure::{Class, Failure};
 use crate::profile::{Cause, Family};
 use crate::protocol::modbus::Hex;
 use crate::text::{Text, both};
+pub use advice::advice;
 use advice::advised;
 
 pub(super) use port::{found_ports, link};
@@ -172,8 +173,9 @@ fn said(error: &ExchangeError, address: u8) -> Text {
         ExchangeError::Garbled { asked, bytes } => (came_garbled(*asked, bytes.len()), None),
         ExchangeError::Short { asked, bytes } => (
             both!(
-                "answers with {bytes} bytes, where every SDO has 8",
-                "antwortet mit {bytes} Bytes, wo jedes SDO 8 hat"
+                "answers with {came}, where every SDO has 8",
+                "antwortet mit {came}, wo jedes SDO 8 hat",
+                came = Text::count((*bytes).into(), ["byte", "bytes"], ["Byte", "Bytes"])
             ),
             Some(*asked),
         ),

@@ -99,6 +99,9 @@ pub struct Side {
     pub drive: String,
     /// Address, if it is a drive.
     pub address: Option<u8>,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Signature over the values that were compared.
     pub signature: Option<String>,
     /// Whether a file was changed since it was saved: its own signature is another one. Null if it has none.

@@ -48,6 +48,9 @@ pub struct Logo {
 pub struct ReportedDrive {
     /// Address.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Family, or `unknown`.
     pub drive: String,
     /// Its name in the project file; null if it has none.

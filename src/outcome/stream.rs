@@ -85,6 +85,9 @@ pub struct TriggerNews {
     pub n: u64,
     /// Address of the drive.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// The trigger, as it was typed.
     pub trigger: String,
 }
@@ -96,6 +99,9 @@ pub struct Trip {
     pub t: Decimal,
     /// Address of the drive.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// The fault; null where it is not watched.
     pub fault: Option<Fault>,
     /// What was seen last before it.
@@ -116,6 +122,9 @@ pub struct Before {
 pub struct WatchedDrive {
     /// Address.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Its name in the project file.
     pub called: Option<String>,
     /// Family; `unknown` as long as the drive does not answer.
@@ -207,6 +216,9 @@ pub struct Sample {
     pub port: Option<String>,
     /// Address.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Its name in the project file; null in the samples of a run.
     pub called: Option<String>,
     /// Family; `unknown` as long as the drive does not answer.

@@ -240,8 +240,14 @@ mod tests {
     fn line(lang: Lang, phase: &'static str, warnings: i64, width: usize) -> String {
         let t = Decimal { raw: 0, decimals: 6 };
         let mut line = RunLine::new(lang);
-        let drives =
-            vec![WatchedDrive { address: 1, called: None, drive: "acu".to_owned(), title: None, columns: columns() }];
+        let drives = vec![WatchedDrive {
+            address: 1,
+            node: 0,
+            called: None,
+            drive: "acu".to_owned(),
+            title: None,
+            columns: columns(),
+        }];
         let (schema, tool, command, protocol) = (1, "antrieb", "sollwert", "rtu");
         let start = StreamStart {
             t,
@@ -273,6 +279,7 @@ mod tests {
                 n: 0,
                 port: None,
                 address: 1,
+                node: 0,
                 called: None,
                 drive: "acu".to_owned(),
                 state,
@@ -323,6 +330,7 @@ mod tests {
             n: 7,
             port: None,
             address: 1,
+            node: 0,
             called: None,
             drive: "acu".to_owned(),
             state: None,

@@ -165,3 +165,39 @@ fn whoever_gives_a_node_another_number_is_told_who_stays_unseen() {
     let asked = antrieb("-a 5 line set --address 7").on(serial).answered("n").exits(8);
     assert!(!asked.err.contains("stopped"), "{}", asked.err);
 }
+
+/// What settles a plug, or a place, that nothing of this goes over is a setting like any other: it is read back, and nobody is told
+/// that the drive is gone.
+#[test]
+fn what_does_not_lie_on_the_way_to_a_drive_cuts_nothing() {
+    let behind = "[[drive]]\nmodel = \"acu\"\naddress = 3\nprotocol = \"vabus\"\nmodules = [\"EM-RES-03\"]\n\
+                  nodes = [{ id = 17, model = \"acu\", modules = [\"EM-RES-03\"] }]\n";
+    for (way, bench) in [
+        ("--protocol sdo -a 5", bus("at-once", &[(5, "")])),
+        ("--protocol sdo1 -a 5", bus("at-once", &[(5, "")])),
+        ("--protocol vabus -a 3.17", behind.to_owned()),
+    ] {
+        for what in ["395=0", "395=2", "10=5", "394=7", "1376=9", "395=2 10=5"] {
+            let run = antrieb(&format!("{way} --yes --force write {what}")).on(&bench).json().exits(0);
+            let rows = run.data("/values").as_array().unwrap();
+            assert!(rows.iter().all(|row| row["result"] == "verified"), "{way} {what}: {:#}", run.value);
+            assert_eq!(run.value["warnings"], json!([]), "{way} {what}");
+            assert!(!run.err.contains("line set") && !run.err.contains("protocol set"), "{}", run.err);
+        }
+    }
+    // Its place on the bus is on the way of who asks it through another drive: it is looked for where it was.
+    for (what, back) in
+        [("900=9", "at 3.9"), ("903=4", "its own serial plug"), ("921=1700", "serial plug"), ("923=1", "serial plug")]
+    {
+        let run = antrieb(&format!("--protocol vabus -a 3.17 --yes write {what}")).on(behind).json().exits(0);
+        assert_eq!(*run.data("/values/0/result"), json!("verified"), "{what}");
+        let told = run.value["warnings"][0]["message"].as_str().unwrap();
+        assert!(told.contains("still answers at 3.17") && told.contains("no source") && told.contains(back), "{told}");
+    }
+    for typed in ["--yes write 921=1700 923=0", "--yes dataset load {dir}/x.toml --only 900"] {
+        let file = "antrieb = 1\ndrive.family = \"acu\"\nvalues.900 = 9\n";
+        let run = antrieb(&format!("--protocol vabus -a 3.17 {typed}")).on(behind).file("x.toml", file).json();
+        let hint = run.error()["hint"].as_str().unwrap();
+        assert!(hint.contains("still answers") || hint.contains("noch antwortet"), "{typed}: {hint}");
+    }
+}

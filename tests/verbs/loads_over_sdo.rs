@@ -45,7 +45,7 @@ fn a_drive_that_drops_off_for_a_moment_is_waited_for_also_alone_on_its_bus() {
     for beside in [false, true] {
         let mut back = 0;
         for at in 1..8 {
-            let run = load(&event(&format!("after_writes = {at}"), "silent = \"2s\""), beside).json();
+            let run = load(&event(&format!("after_writes = {at}"), "silent = \"4s\""), beside).json();
             let bus = witness::left_can().unwrap();
             // Where its last write is proven all the same, it is done.
             assert!(["back", "done"].contains(&ended(&run)), "{at}, {beside}: {:#}", run.value);
@@ -78,7 +78,7 @@ fn no_end_at_any_telegram_over_sdo_is_called_done_or_as_before_and_is_not() {
     let refuses = format!("refuses = {}", 1 << 12 | 372);
     let mut seen = std::collections::BTreeSet::new();
     for what in [
-        "silent = \"2s\"",
+        "silent = \"4s\"",
         "silent = \"60s\"",
         "power_cycle = true",
         &refuses,

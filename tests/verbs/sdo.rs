@@ -260,6 +260,9 @@ fn who_answers_with_frames_that_are_too_short_is_told_as_that() {
     assert_eq!(run.error()["code"], "garbled.short", "{:#}", run.value);
     assert!(run.error()["message"].as_str().unwrap().contains("4 bytes"), "{}", run.error());
     assert!(is_clean(&left()));
+    let one = text.replace("5C6#429B0100", "5C6#42");
+    let run = antrieb("--protocol sdo -a 6 read 411").on(&one).json().exits(5);
+    assert!(run.error()["message"].as_str().unwrap().contains("1 byte,"), "{}", run.error());
     let shown = antrieb("--protocol sdo -a 6 -v read 411").on(&text).exits(5);
     assert!(shown.err.contains("5C6#42 9B 01 00"), "{}", shown.err);
     let found = antrieb("--protocol sdo -a 1-10 scan").on(&text).json().exits(0);

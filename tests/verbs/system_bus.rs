@@ -375,4 +375,58 @@ fn a_node_behind_a_drive_is_told_with_its_node() {
     assert_eq!(refused.error()["context"]["node"], "17");
     let rows = on("monitor 480 --count 1 --format table").exits(0).out;
     assert!(rows.lines().nth(1).unwrap().contains(" 3.17 "), "{rows}");
+    // And so in what goes on over time, is compared, and is handed over.
+    let records = on("monitor 480 --count 1 --format ndjson").exits(0).out;
+    let records: Vec<Value> = records.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!([&records[0]["drives"][0]["node"], &records[1]["node"]], [&json!(17), &json!(17)], "{records:?}");
+    let csv = on("monitor 480 --count 1 --format csv").exits(0).out;
+    assert!(csv.contains(",3.17,acu,"), "{csv}");
+    let file = "antrieb = 1\ndrive.family = \"acu\"\nvalues.480 = 9\n";
+    let check = || on("dataset check {dir}/x.toml").file("x.toml", file);
+    assert!(check().exits(1).out.contains("drive 3.17 ("));
+    let side = check().json().exits(1).data("/comparisons/0/b").clone();
+    assert_eq!([&side["name"], &side["node"]], [&json!("drive 3.17"), &json!(17)]);
+    let unified = on("dataset check {dir}/x.toml --unified").file("x.toml", file).exits(1).out;
+    assert!(unified.contains("drive 3.17") && !unified.contains("drive 3\n"), "{unified}");
+    let report = on("report").exits(0).out;
+    assert!(report.contains("3.17") && !report.contains("   3  acu"), "{report}");
+    assert_eq!(on("report").json().exits(0).data("/drives/0/node"), 17);
+}
+
+/// A drive of a plan may be a node behind another one.
+#[test]
+fn a_plan_is_held_against_a_node_behind_a_drive_and_set_there() {
+    let bench = |set: &str| {
+        format!(
+            "[[drive]]\nmodel = \"acu\"\naddress = 3\nprotocol = \"vabus\"\nmodules = [\"EM-RES-03\"]\n\
+             nodes = [{{ id = 1, model = \"acu\", modules = [\"EM-RES-03\"], set = {{ {set} }} }}]\n"
+        )
+    };
+    let set = format!("\"903\" = 7, {SET}");
+    let on = |line: &str, set: &str| antrieb(line).on(&bench(set)).file("bus.toml", PLAN);
+    let check = "--protocol vabus systembus check {dir}/bus.toml drive-2=3.1";
+    assert!(on(check, &set).exits(0).out.contains("  3.1  acu "));
+    let run = on(check, &set).json().exits(0);
+    assert_eq!([run.data("/drives/0/b/name"), run.data("/drives/0/b/node")], [&json!("drive 3.1"), &json!(1)]);
+    // Drive 3 itself has none of it.
+    on("--protocol vabus systembus check {dir}/bus.toml drive-2=3", &set).json().exits(1);
+    on("systembus check {dir}/bus.toml drive-2=3.1", &set).exits(2);
+    let apply = "--protocol vabus --yes systembus apply {dir}/bus.toml drive-2=3.1";
+    let run = on(apply, "\"903\" = 7").json().exits(0);
+    let values = run.data("/drives/0/values").as_array().unwrap();
+    assert!(!values.is_empty() && values.iter().all(|row| row["node"] == 1), "{values:?}");
+    assert!(on(apply, "\"903\" = 7").exits(0).out.contains("drive 3.1 (acu)"));
+}
+
+/// Where one frame in ten is lost either way, a long run comes to its end, and who stays silent is told as on a bus.
+#[test]
+fn what_is_lost_on_the_way_ends_no_long_run() {
+    for seed in [3, 8] {
+        let bench = format!("[bus]\nlosses = 100\nseed = {seed}\n{}", on_bus(&[(5, "")]));
+        antrieb("--protocol sdo -a 5 read 900-989").on(&bench).exits(0);
+        antrieb("--protocol sdo -a 5 dataset save {dir}/x.toml").on(&bench).exits(0);
+        let run = antrieb("--protocol sdo -a 5 --retries 0 read 900-989").on(&bench).json().exits(9);
+        let hint = run.error()["hint"].as_str().unwrap();
+        assert!(hint.contains("P.900") && !hint.contains("P.395"), "{hint}");
+    }
 }

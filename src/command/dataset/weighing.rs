@@ -46,6 +46,7 @@ impl Weight {
             name: named(which, address),
             drive: family.drive.clone(),
             address,
+            node: 0,
             signature: None,
             edited: file.and_then(Opened::is_edited),
         };
@@ -222,6 +223,7 @@ impl Weighed {
                 name: named(which, own),
                 drive: drive.to_owned(),
                 address: own,
+                node: 0,
                 signature: None,
                 edited: None,
             }

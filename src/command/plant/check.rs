@@ -6,7 +6,7 @@ use crate::args::Takes;
 use crate::command::dataset::scope::Picks;
 use crate::command::dataset::weighing::{Weighed, against_target};
 use crate::command::verb::{Verb, Working};
-use crate::command::{Context, read_question, telegram_reader};
+use crate::command::{Context, behind, read_question, telegram_reader};
 use crate::drive::paramfile::{Asking, of_file, ram_sets};
 use crate::drive::plant::Line;
 use crate::drive::transaction::{Choice, NO_VALUES};
@@ -145,7 +145,8 @@ fn dry_run(wanted: &[Wanted]) -> Outcome {
 fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>, hint: Hint<'_>) -> Outcome {
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     let (mut differing, mut values, mut unnamed, mut others) = (Vec::new(), 0, BTreeSet::new(), 0);
-    for (one, Weighed { comparison, failure, warnings: more }) in wanted.iter().zip(weighed) {
+    for (one, Weighed { mut comparison, failure, warnings: more }) in wanted.iter().zip(weighed) {
+        behind::compared(&mut comparison, one.place.settings.node);
         warnings.extend(more.into_iter().map(|warning| told::of(one, warning)));
         let called = one.place.name.clone();
         match failure {

@@ -47,7 +47,10 @@ impl Wanted {
     /// What is typed behind `-a` for it.
     pub(super) fn typed(&self) -> String {
         match self.said {
-            Said::Plan(_) if !self.place.settings.typed.names_address() => self.place.address.to_string(),
+            Said::Plan(_) if !self.place.settings.typed.names_address() => match self.place.settings.node {
+                0 => self.place.address.to_string(),
+                node => format!("{}.{node}", self.place.address),
+            },
             _ => self.place.name.clone(),
         }
     }

@@ -24,6 +24,7 @@ fn dry_run(context: &Context<'_>, wanted: &[Wanted]) -> Result<Outcome, Failure>
     for one in wanted {
         let family = &one.opened.family;
         let mut load = blank(one.place.address, &family.drive, one.files(), one.left_out.clone());
+        load.node = one.place.settings.node;
         let terms = lines::terms(&one.place.settings, context.registry)?;
         let failure = would_be_in_the_way(describe_steps(&terms, &mut load, family, &one.steps, fits));
         let state = if failure.is_some() { PlantState::Skipped } else { PlantState::Planned };

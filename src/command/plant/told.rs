@@ -69,6 +69,7 @@ fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
     let Member { found, left, applied, .. } = member;
     let drive = left.as_ref().map_or("unknown", Failure::family);
     let mut load = blank(one.place.address, drive, one.files(), one.left_out.clone());
+    load.node = one.place.settings.node;
     let Some(Found { plan, .. }) = found else {
         return (PlantState::Skipped, loaded::Told { load, warnings: Vec::new(), failure: left });
     };

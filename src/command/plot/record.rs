@@ -192,8 +192,10 @@ impl Reader<'_> {
     }
 
     fn row(&mut self, head: &[String], row: &csv::StringRecord) -> Option<()> {
+        // Behind it may stand a node, and then it stands behind all of them.
+        let number = |address: &str| address.split('.').next()?.parse().ok();
         let cell = |name: &str| row.get(head.iter().position(|head| head == name)?).filter(|cell| !cell.is_empty());
-        let (t, address, drive) = (cell("t")?.parse().ok()?, cell("address")?.parse().ok()?, cell("drive")?);
+        let (t, address, drive) = (cell("t")?.parse().ok()?, number(cell("address")?)?, cell("drive")?);
         let family = self.registry.family(drive);
         let track = self.tracks.entry(address).or_default();
         track.drive = drive.to_owned();

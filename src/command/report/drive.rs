@@ -118,6 +118,7 @@ fn worst(failures: Vec<Failure>, is_nothing: bool) -> Option<Failure> {
 fn blank(address: u8) -> ReportedDrive {
     ReportedDrive {
         address,
+        node: 0,
         drive: "unknown".to_owned(),
         called: None,
         identity: None,

@@ -1,7 +1,7 @@
 //! `systembus check` and `systembus apply`: the drives of a plan, each where it is reached, with all that the plan decides of it.
 
 use super::plan;
-use crate::args::{Place, Settings, in_directory, place};
+use crate::args::{Place, Settings, check_node, in_directory, parse_place, place};
 use crate::command::dataset::opened::Opened;
 use crate::command::plant::lines::{Said, Wanted, by_line};
 use crate::command::{Context, named_family, on_bus};
@@ -26,7 +26,7 @@ pub(super) struct Options {
     pub(super) file: PathBuf,
     /// Drives of the plan, all of them if none: NAME, or NAME=ADDRESS
     ///
-    /// Without an address a drive is reached as `antrieb.toml` says of its name; on a CAN bus at its node.
+    /// Over VABus 3.17 is node 17 behind drive 3. Without an address a drive is reached as `antrieb.toml` says of its name; on a CAN bus at its node.
     #[arg(value_name = "DRIVE")]
     drives: Vec<String>,
 }
@@ -56,6 +56,8 @@ impl Options {
         let mut places = Vec::new();
         for (index, address) in self.meant(&plan)? {
             let Some(drive) = plan.drives.get(index) else { continue };
+            let (address, node) = address.map_or((None, 0), |(address, node)| (Some(address), node));
+            check_node(node, settings.protocol)?;
             let found = match address {
                 None if !settings.is_can() => Some(place(settings, &drive.name)?.ok_or_else(|| nowhere(drive))?),
                 _ => None,
@@ -66,7 +68,7 @@ impl Options {
                 address: address.or(on_bus).unwrap_or_default(),
                 product: None,
                 files: Vec::new(),
-                settings: settings.clone(),
+                settings: Settings { node, ..settings.clone() },
             });
             if found.settings.port.is_none() {
                 let port = port.take().map_or_else(|| open_port(None, context.observe), Ok)?;
@@ -81,15 +83,15 @@ impl Options {
     }
 
     /// Which drives of the plan, and at which address if that was said.
-    fn meant(&self, plan: &Plan) -> Result<Vec<(usize, Option<u8>)>, Failure> {
+    fn meant(&self, plan: &Plan) -> Result<Vec<Meant>, Failure> {
         if self.drives.is_empty() {
             return Ok((0..plan.drives.len()).map(|index| (index, None)).collect());
         }
-        let mut meant: Vec<(usize, Option<u8>)> = Vec::new();
+        let mut meant: Vec<Meant> = Vec::new();
         for word in &self.drives {
             let (name, address) = word.split_once('=').map_or((word.as_str(), None), |(name, at)| (name, Some(at)));
             let index = plan.drives.iter().position(|drive| drive.name == name).ok_or_else(|| stranger(name, plan))?;
-            let address = address.map(|text| text.parse().ok().filter(|number| (1..=LAST).contains(number)));
+            let address = address.map(parse_place);
             if address == Some(None) || meant.iter().any(|row| row.0 == index) {
                 return Err(no_address(word));
             }
@@ -99,8 +101,8 @@ impl Options {
     }
 }
 
-/// Largest address of a drive on a serial line.
-const LAST: u8 = 247;
+/// A drive of the plan, and at which address, and behind it which node, if that was said.
+type Meant = (usize, Option<(u8, u8)>);
 
 impl Seated {
     /// The same on open lines: what a drive shows decides what nobody else knows. `writes` is whether it is to be written.
@@ -119,7 +121,7 @@ impl Seated {
                 let found = look(session, seen.target).await;
                 let Some(drive) = self.plan.drives.iter_mut().find(|drive| drive.name == member.name) else { continue };
                 let why = settle(drive, &found);
-                let own = if writes { cut_by(settings.protocol, 0) } else { &[] };
+                let own = if writes { cut_by(settings.protocol) } else { &[] };
                 let why = why.or_else(|| cuts(&self.plan, &member.name, &found, own));
                 unsettled.extend(why.map(|why| (member.name.clone(), why)));
             }
@@ -283,8 +285,8 @@ fn stranger(name: &str, plan: &Plan) -> Failure {
 
 fn no_address(word: &str) -> Failure {
     let message = both!(
-        "expected each drive once, as NAME or NAME=ADDRESS with an address from 1 to {LAST}, got '{word}'",
-        "erwartet: jeder Antrieb einmal, als NAME oder NAME=ADRESSE mit einer Adresse von 1 bis {LAST}; angegeben: '{word}'"
+        "expected each drive once, as NAME or NAME=ADDRESS with an address from 1 to 247, or 3.17 for a node behind a drive, got '{word}'",
+        "erwartet: jeder Antrieb einmal, als NAME oder NAME=ADRESSE mit einer Adresse von 1 bis 247, oder 3.17 für einen Knoten hinter einem Antrieb; angegeben: '{word}'"
     );
     Failure::new(Class::Usage, "usage.address", message)
 }

@@ -3,7 +3,7 @@
 use crate::exchange::can::Unopened;
 use crate::failure::{Class, Failure};
 use crate::protocol::can::slcan::RATES;
-use crate::text::both;
+use crate::text::{Text, both};
 
 /// A bit rate that SLCAN has no number for.
 pub(super) fn bit_rate(bit_rate: u32) -> Failure {
@@ -23,8 +23,9 @@ pub(in crate::drive) fn unopened(port: &str, bit_rate: u32, why: &Unopened) -> F
             Class::Port,
             "port.no_slcan",
             both!(
-                "{port} speaks no SLCAN: {bytes} bytes came, and none of them is a word of it",
-                "{port} spricht kein SLCAN: es kamen {bytes} Bytes, und keines gehört dazu"
+                "{port} speaks no SLCAN: what came is no word of it ({came})",
+                "{port} spricht kein SLCAN: was kam, gehört nicht dazu ({came})",
+                came = Text::count(*bytes as u64, ["byte", "bytes"], ["Byte", "Bytes"])
             ),
         )
         .hint(both!(

@@ -199,7 +199,7 @@ impl Reader<'_> {
 }
 
 /// What an adapter said that is no word of it.
-fn damaged(word: &str, error: &FrameError) -> TelegramDoc {
+pub(in crate::drive) fn damaged_word(word: &str, error: &FrameError) -> TelegramDoc {
     let told = Told { is_right: false, ..Told::new("adapter", names::wrong(error)) };
     document(told, None, word.escape_default().to_string())
 }
@@ -229,7 +229,12 @@ fn document(told: Told, identifier: Option<Identifier>, hex: String) -> Telegram
 /// A request for a frame (RTR), which the drives are nowhere said to answer.
 fn asked_for(service: Service, len: u8) -> Told {
     let what = names::service(service);
-    let meaning = both!("remote request for {len} bytes: {what}", "Anforderung (RTR) von {len} Byte: {what}", what);
+    let meaning = both!(
+        "remote request for {len}: {what}",
+        "Anforderung (RTR) von {len}: {what}",
+        len = Text::count(len.into(), ["byte", "bytes"], ["Byte", "Byte"]),
+        what
+    );
     Told { direction: Some("request"), ..Told::new("remote", meaning) }
 }
 
@@ -253,7 +258,11 @@ fn order(bytes: &[u8]) -> Told {
 fn sync(bytes: &[u8]) -> Told {
     let meaning = match bytes.len() {
         0 => Text::name("SYNC"),
-        len => both!("SYNC, though with {len} bytes of data", "SYNC, allerdings mit {len} Byte Daten"),
+        len => both!(
+            "SYNC, though with {len} of data",
+            "SYNC, allerdings mit {len} Daten",
+            len = Text::count(len as u64, ["byte", "bytes"], ["Byte", "Byte"])
+        ),
     };
     Told { direction: Some("request"), ..Told::new("sync", meaning) }
 }

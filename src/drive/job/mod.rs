@@ -20,6 +20,9 @@ use crate::profile::{Effective, Family, HazardKind, Holds, Param, Role, Type};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
+/// The node of a drive on the system bus (EM-RES-03 manual 5.5).
+const NODE: u32 = 900;
+
 /// A value for one parameter in one data set.
 #[derive(Clone, Debug)]
 pub struct Step {
@@ -265,12 +268,15 @@ fn perhaps_in_ram(why: Text, param: &Param, set: u8) -> Text {
 /// What became of a write behind which the drive has another address at once: there it is asked.
 async fn proven_there(
     session: &mut Session<'_>,
-    target: &Target,
+    target: &mut Target,
     step: &Step,
     fate: Result<WriteFate, AccessError>,
 ) -> Result<WriteFate, AccessError> {
-    let family = &target.family;
     let Some(role) = session.own_address() else { return fate };
+    if session.node() > 0 && step.param.hazard == Some(HazardKind::Line) && step.param.access.reads() {
+        return still_there(session, target, step, fate).await;
+    }
+    let family = &target.family;
     let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param, family, Some(role));
     let moves = at_once && is_in(role, &step.param, family);
     let (Ok(new), true) = (u8::try_from(step.raw), moves && target.address != 0) else { return fate };
@@ -283,6 +289,24 @@ async fn proven_there(
         Ok(reading) => Ok(WriteFate::Differs(reading.raw)),
         Err(error) if error.is_fatal() => Err(error),
         Err(error) => Ok(WriteFate::Unknown(error)),
+    }
+}
+
+/// No source tells when the place of a node on its bus holds, so it is asked where it was. Who is silent there may have gone.
+async fn still_there(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    step: &Step,
+    fate: Result<WriteFate, AccessError>,
+) -> Result<WriteFate, AccessError> {
+    if !matches!(fate, Ok(WriteFate::Written)) {
+        return fate;
+    }
+    match target.read_set(session, &step.param, step.set).await {
+        Ok(reading) if reading.raw == step.raw => Ok(WriteFate::Verified),
+        Ok(reading) => Ok(WriteFate::Differs(reading.raw)),
+        Err(error) if error.is_fatal() => Err(error),
+        Err(_) => fate,
     }
 }
 
@@ -385,6 +409,9 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
     if !sent || step.param.hazard != Some(HazardKind::Line) || is_elsewhere(&step.param, family, terms.own_address()) {
         return None;
     }
+    if row.node > 0 {
+        return Some(Warning { code: "line.changed".to_owned(), message: way_back_to_node(step, row) });
+    }
     let is_address = is_in(Role::Address, &step.param, family);
     let when = match (step.param.effective, is_address, family.link.line.address) {
         (Effective::Reset, ..) => both!("after the next reset", "nach dem nächsten Reset"),
@@ -408,4 +435,39 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
         old
     );
     Some(Warning { code: "line.changed".to_owned(), message })
+}
+
+/// The same of a node behind a drive, by what it showed behind the write.
+fn way_back_to_node(step: &Step, row: &Written) -> Text {
+    let (old, new, _) = describe::change(row);
+    let old = old.map_or_else(|| both!("its old value", "den alten Wert"), Text::name);
+    let (label, address, node) = (step.param.label(), row.address, row.node);
+    let stands = match row.result {
+        WriteResult::Verified => {
+            both!("it still answers at {address}.{node}", "er antwortet weiter unter {address}.{node}")
+        }
+        _ => both!(
+            "at {address}.{node} it did not answer behind it",
+            "unter {address}.{node} antwortete er danach nicht"
+        ),
+    };
+    let back = match (step.param.id, u8::try_from(step.raw)) {
+        (NODE, Ok(there @ 1..)) => both!(
+            "then it is reached at {address}.{there}, and the way back is to write {old} there",
+            "dann ist er unter {address}.{there} erreichbar, und zurück führt, dort {old} zu schreiben",
+            old
+        ),
+        _ => both!(
+            "then it may be out of reach over the bus, and the way back is to write {old} over its own serial plug",
+            "dann ist er über den Bus vielleicht nicht mehr erreichbar, und zurück führt, {old} über seinen eigenen seriellen \
+             Anschluss zu schreiben",
+            old
+        ),
+    };
+    both!(
+        "{label} is {new}: {stands}; from when on that holds, no source tells, at the latest behind a power-on: {back}",
+        "{label} ist {new}: {stands}; ab wann das gilt, nennt keine Quelle, spätestens nach dem Einschalten: {back}",
+        stands,
+        back
+    )
 }

@@ -109,7 +109,7 @@ impl Watched {
             protocol: session.protocol().name(),
             interval: Some(seconds(EVERY)),
             waits: None,
-            drives: vec![Self::drive(target, columns)],
+            drives: vec![Self::drive(target, session.node(), columns)],
         };
         session.tell(Event::Record(Box::new(Record::Start(start))));
         let news = RunNews {
@@ -145,10 +145,11 @@ impl Watched {
         shown
     }
 
-    fn drive(target: &Target, columns: Vec<Column>) -> WatchedDrive {
+    fn drive(target: &Target, node: u8, columns: Vec<Column>) -> WatchedDrive {
         let Target { address, family, .. } = target;
         let (address, drive) = (*address, family.drive.clone());
-        WatchedDrive { address, called: None, drive, title: Some(family.title.clone()), columns }
+        let title = Some(family.title.clone());
+        WatchedDrive { address, node, called: None, drive, title, columns }
     }
 
     /// From now on it is on its way to being held.
@@ -301,6 +302,7 @@ impl Motor<'_, '_> {
             n: shown.samples,
             port: None,
             address: self.target.address,
+            node: self.session.node(),
             called: None,
             drive: self.target.family.drive.clone(),
             state,

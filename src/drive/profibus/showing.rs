@@ -43,6 +43,7 @@ impl Exchange<'_, '_> {
         let (port, line) = self.line.name();
         let drive = WatchedDrive {
             address: self.address(),
+            node: 0,
             called: None,
             drive: family.drive.clone(),
             title: Some(family.title.clone()),

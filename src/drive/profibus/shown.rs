@@ -131,6 +131,7 @@ impl Shown {
             n: self.samples,
             port: None,
             address: self.news.address,
+            node: 0,
             called: None,
             drive: self.family.drive.clone(),
             state,

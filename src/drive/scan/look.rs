@@ -177,8 +177,9 @@ async fn confirm(session: &mut Session<'_>, address: u8) -> Result<Option<Answer
 /// Whose answers are no SDO.
 fn short(bytes: u8) -> Text {
     both!(
-        "node that answers SDO with {bytes} bytes in place of 8: no drive, or it is disturbed",
-        "Knoten, der SDO mit {bytes} statt 8 Bytes beantwortet: kein Umrichter, oder gestört"
+        "node that answers SDO with {came} in place of 8: no drive, or it is disturbed",
+        "Knoten, der SDO mit {came} statt mit 8 beantwortet: kein Umrichter, oder gestört",
+        came = Text::count(bytes.into(), ["byte", "bytes"], ["Byte", "Bytes"])
     )
 }
 

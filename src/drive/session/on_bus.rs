@@ -28,14 +28,35 @@ impl<'a> Session<'a> {
         self.ears.as_ref().map_or(0, |ear| ear.borrow().lost)
     }
 
+    /// What the adapter said that is no word, and was not taken yet.
+    pub(in crate::drive) fn damaged_words(&self) -> Vec<Vec<u8>> {
+        self.ears.as_ref().map_or_else(Vec::new, |ear| ear.borrow_mut().damaged.drain(..).collect())
+    }
+
     /// The status flags of the adapter, if it tells them and they tell of errors.
     pub(in crate::drive) async fn bus_errors(&mut self) -> Result<Option<u8>, AccessError> {
+        Ok(self.bus_flags().await?.filter(|flags| flags & Word::ERRORS != 0))
+    }
+
+    /// Whether the adapter itself tells that it lost frames; whoever interrupted waits for that.
+    pub(in crate::drive) async fn was_overrun(&mut self) -> bool {
+        self.note_interrupts();
+        self.bus_flags().await.ok().flatten().is_some_and(|flags| flags & Word::OVERRUNS != 0)
+    }
+
+    async fn bus_flags(&mut self) -> Result<Option<u8>, AccessError> {
         let ask = async |line: &mut OpenLine<'a>| line.link.send(&[]).await;
         self.on_line(ask).await?;
         let until = self.now() + ANSWER;
-        self.hear(until).await?;
-        let flags = self.ears.as_ref().and_then(|ear| ear.borrow().flags);
-        Ok(flags.filter(|flags| flags & Word::ERRORS != 0))
+        let told = |session: &Self| session.ears.as_ref().and_then(|ear| ear.borrow_mut().flags.take());
+        loop {
+            // Frames go on coming, and each of them ends the wait.
+            self.hear(until).await?;
+            match told(self) {
+                None if self.now() < until => {}
+                flags => return Ok(flags),
+            }
+        }
     }
 
     /// Fault keys that a station told by itself since the bus was opened, 0 for one that was acknowledged.

@@ -3,10 +3,11 @@
 use super::census::{Came, Lane, Terms};
 use super::{Ear, Tick};
 use crate::drive::can::trouble;
+use crate::drive::decode::damaged_word;
 use crate::drive::session::Session;
 use crate::failure::Failure;
 use crate::outcome::TelegramDoc;
-use crate::protocol::can::{Frame, Identifier, Service, duration, station};
+use crate::protocol::can::{Frame, FrameError, Identifier, Service, duration, station};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
@@ -28,14 +29,22 @@ pub(super) async fn unheard(session: &mut Session<'_>) -> Option<Failure> {
     Some(trouble::unheard(session.port(), line.baud, flags))
 }
 
-/// What an adapter does not tell of a bus; and how many frames came faster than they were taken.
-pub(super) fn unseen(lost: u64) -> Text {
+/// What an adapter does not tell of a bus; how many frames came faster than they were taken, and whether it lost some itself.
+pub(super) fn unseen(lost: u64, is_overrun: bool) -> Text {
     let unseen = both!(
         "a CAN adapter tells whole frames, no levels and no disturbed ones; times are those of its driver, and who only listens \
          acknowledges nothing",
         "ein CAN-Adapter zeigt ganze Frames, keine Pegel und keine gestörten; Zeiten sind die seines Treibers, und wer nur zuhört, \
          bestätigt nichts"
     );
+    let unseen = match is_overrun {
+        true => both!(
+            "the adapter tells that it lost frames (overrun): not all is here; {unseen}",
+            "der Adapter meldet, dass er Frames verloren hat (Überlauf): hier steht nicht alles; {unseen}",
+            unseen
+        ),
+        false => unseen,
+    };
     match lost {
         0 => unseen,
         lost => both!(
@@ -47,15 +56,26 @@ pub(super) fn unseen(lost: u64) -> Text {
 }
 
 impl Ear<'_> {
-    /// Frames that were handed over at once.
-    pub(super) fn frames(&mut self, at: Tick, frames: &[Frame]) -> Vec<TelegramDoc> {
-        frames.iter().map(|frame| self.frame(at, frame)).collect()
+    /// Frames that were handed over at once, and what came with them that is no word of an adapter.
+    pub(super) fn frames(&mut self, at: Tick, frames: &[Frame], damaged: Vec<Vec<u8>>) -> Vec<TelegramDoc> {
+        let mut told: Vec<_> = frames.iter().map(|frame| self.frame(at, frame)).collect();
+        for bytes in damaged {
+            let word = String::from_utf8_lossy(&bytes).into_owned();
+            let doc = self.timed(at, damaged_word(&word, &FrameError::Form(word.clone())));
+            // How long it was on the bus nobody knows.
+            self.census.passes(&doc, 0);
+            told.push(doc);
+        }
+        told
+    }
+
+    fn timed(&self, at: Tick, doc: TelegramDoc) -> TelegramDoc {
+        let since_1970_us = self.since_1970.map(|span| span.as_micros() + at.as_micros());
+        TelegramDoc { at_us: Some(at.as_micros()), since_1970_us, ..doc }
     }
 
     fn frame(&mut self, at: Tick, frame: &Frame) -> TelegramDoc {
-        let mut doc = self.reader.frame(frame);
-        doc.at_us = Some(at.as_micros());
-        doc.since_1970_us = self.since_1970.map(|span| span.as_micros() + at.as_micros());
+        let doc = self.timed(at, self.reader.frame(frame));
         let busy = duration(self.bit_rate, frame.bytes().len() as u64).as_micros();
         match asked(frame) {
             Some((node, lane)) => {

@@ -1,6 +1,7 @@
 //! One value of a plan: whether it is to be written, whether it may be, and why not.
 
 use crate::drive::job::{self, Step};
+use crate::drive::terms::is_place_on_bus;
 use crate::drive::transfer::hides_width;
 use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
@@ -165,11 +166,19 @@ fn keeps_line(param: &Param, (family, own): (&Family, Option<Role>)) -> Result<(
         "{label} can cut the line at once, and what cuts the line cannot be taken back over it",
         "{label} kann die Leitung sofort kappen, und was sie kappt, lässt sich über sie nicht zurücknehmen"
     );
-    Err(Failure::new(Class::Forbidden, CUTS, message).hint(both!(
-        "`antrieb line set` and `antrieb protocol set` change the line and follow the drive; `antrieb write` sends a single value",
-        "`antrieb line set` und `antrieb protocol set` stellen die Leitung um und folgen dem Antrieb; `antrieb write` sendet einen \
-         einzelnen Wert"
-    )))
+    // A drive that is reached by an address on its own plug has this hazard only where it is reached behind another one.
+    let hint = match own.is_some() && is_place_on_bus(param) {
+        true => both!(
+            "`antrieb write` sends a single value, and looks behind it whether the node still answers",
+            "`antrieb write` sendet einen einzelnen Wert und prüft danach, ob der Knoten noch antwortet"
+        ),
+        false => both!(
+            "`antrieb line set` and `antrieb protocol set` change the line and follow the drive; `antrieb write` sends a single value",
+            "`antrieb line set` und `antrieb protocol set` stellen die Leitung um und folgen dem Antrieb; `antrieb write` sendet einen \
+             einzelnen Wert"
+        ),
+    };
+    Err(Failure::new(Class::Forbidden, CUTS, message).hint(hint))
 }
 
 /// Whether a value still is what the transaction made of it: what somebody has changed since is his.

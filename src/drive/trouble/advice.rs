@@ -6,10 +6,15 @@ use crate::text::Text;
 /// A failure with what is to be done about it.
 pub(super) fn advised(class: Class, code: &str, message: Text) -> Failure {
     let failure = Failure::new(class, code, message);
-    match ADVICE.into_iter().find(|row| row.0 == code) {
-        Some((_, hint)) => failure.hint(hint),
+    match advice(code) {
+        Some(hint) => failure.hint(hint),
         None => failure,
     }
+}
+
+/// What is to be done about a failure with this code on a serial line.
+pub fn advice(code: &str) -> Option<Text> {
+    ADVICE.into_iter().find(|row| row.0 == code).map(|(_, hint)| hint)
 }
 
 const WHO_ANSWERS: Text = Text::new(

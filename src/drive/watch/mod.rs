@@ -207,6 +207,7 @@ impl Watch<'_> {
             t,
             n: self.tally.rounds,
             address: station.place.address,
+            node: self.terms.speech.node,
             called: station.place.called.clone(),
             port: Some(self.port.clone()),
             values: values.unwrap_or_default(),
@@ -251,6 +252,7 @@ impl Watch<'_> {
             t: self.seconds(now),
             n: self.tally.rounds,
             address: station.place.address,
+            node: self.terms.speech.node,
             called: station.place.called.clone(),
             port: Some(self.port.clone()),
             drive: station.target.as_ref().map_or_else(String::new, |target| target.family.drive.clone()),
@@ -332,10 +334,12 @@ impl Watch<'_> {
                 }
             }
             let Place { address, called } = station.place.clone();
-            return WatchedDrive { address, called, drive: "unknown".to_owned(), title: None, columns };
+            let (node, drive) = (self.terms.speech.node, "unknown".to_owned());
+            return WatchedDrive { address, node, called, drive, title: None, columns };
         };
         WatchedDrive {
             address: station.place.address,
+            node: self.terms.speech.node,
             called: station.place.called.clone(),
             drive: target.family.drive.clone(),
             title: Some(target.family.title.clone()),

@@ -70,10 +70,10 @@ impl Station {
     pub(super) fn news(&mut self, sample: &Sample) -> Vec<Record> {
         let Some(family) = self.target.as_ref().map(|target| target.family.clone()) else { return Vec::new() };
         let trip = self.memory.take(sample, &family, self.fault.as_ref()).map(|trip| Record::Trip(Box::new(trip)));
-        let (t, address) = (sample.t, sample.address);
+        let (t, address, node) = (sample.t, sample.address, sample.node);
         let triggers = self.armed.iter_mut().filter_map(|armed| {
             let is_true = armed.comes_true(sample);
-            is_true.then(|| Record::Trigger(TriggerNews { t, n: 0, address, trigger: armed.text.clone() }))
+            is_true.then(|| Record::Trigger(TriggerNews { t, n: 0, address, node, trigger: armed.text.clone() }))
         });
         trip.into_iter().chain(triggers).collect()
     }

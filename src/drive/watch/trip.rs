@@ -1,6 +1,7 @@
 //! What was seen of a drive last before a fault.
 
 use crate::drive::describe;
+use crate::drive::terms::typed;
 use crate::outcome::{Before, Fault, Sample, State, Trip, Value};
 use crate::profile::Family;
 use crate::profile::value::format_decimal;
@@ -33,6 +34,7 @@ impl Memory {
         (now && before == Some(false)).then(|| Trip {
             t: sample.t,
             address: sample.address,
+            node: sample.node,
             fault: code.and_then(|code| describe::fault(family, code)).or_else(|| told.cloned()),
             before: self.before.clone(),
         })
@@ -62,7 +64,8 @@ fn place(value: &Value) -> (u32, u8, &'static str) {
 
 /// A drive that went into a fault, for people.
 pub(super) fn told(trip: &Trip) -> Text {
-    let Trip { t, address, fault, before } = trip;
+    let Trip { t, address, node, fault, before } = trip;
+    let address = typed(*address, *node);
     let t = format_decimal(t.raw / 1_000, 3);
     let fault = fault.as_ref().map_or_else(|| both!("fault", "Störung"), |fault| fault.told());
     let values = before.values.iter().filter_map(|row| {

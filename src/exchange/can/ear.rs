@@ -14,6 +14,8 @@ pub struct Overheard {
     pub frames: VecDeque<Frame>,
     /// Frames that were lost so.
     pub lost: u64,
+    /// What the adapter said that is no word.
+    pub damaged: VecDeque<Vec<u8>>,
     /// Status flags of the adapter, as it told them last.
     pub flags: Option<u8>,
 }
@@ -26,12 +28,14 @@ const MOST: usize = 16_384;
 pub struct Ear {
     words: Words,
     overheard: Rc<RefCell<Overheard>>,
+    /// A word was heard from its beginning: what comes first may be the rest of one.
+    is_in: bool,
 }
 
 impl Ear {
     /// What is heard goes there.
     pub fn new(overheard: Rc<RefCell<Overheard>>) -> Self {
-        Ear { words: Words::default(), overheard }
+        Ear { words: Words::default(), overheard, is_in: false }
     }
 
     /// Asks the adapter how the bus is; the bus hears nothing of it.
@@ -42,8 +46,17 @@ impl Ear {
     /// Takes what the adapter says; a byte for everything that somebody may wait for.
     pub fn take(&mut self, said: &[u8]) -> Vec<u8> {
         let mut overheard = self.overheard.borrow_mut();
+        let words = self.words.feed(said);
+        let damaged = self.words.damaged().into_iter();
         let mut count = 0;
-        for word in self.words.feed(said) {
+        for bytes in damaged.skip(usize::from(!self.is_in && words.is_empty())) {
+            if overheard.damaged.len() < MOST {
+                overheard.damaged.push_back(bytes);
+            }
+            count += 1;
+        }
+        self.is_in |= said.contains(&Words::END);
+        for word in words {
             match word {
                 Word::Frame { frame, .. } if overheard.frames.len() < MOST => overheard.frames.push_back(frame),
                 Word::Frame { .. } => overheard.lost += 1,

@@ -1,10 +1,11 @@
 //! Adapters of every kind, by hand.
 
-use super::{Channel, Opening, Unopened};
+use super::{Channel, Ear, Opening, Overheard, Unopened};
 use crate::exchange::{Conversation, Step};
 use crate::protocol::can::{SdoChannel, Telegram, telegram_frame};
 use crate::tick::{Span, Tick};
 use proptest::prelude::*;
+use std::cell::RefCell;
 use std::rc::Rc;
 
 /// Opens behind an adapter that says this to that; how it ended, what it was told, and when.
@@ -105,6 +106,19 @@ fn a_channel_passes_on_its_own_sdos_and_nothing_else() {
     assert_eq!((channel.take(b"FA4\rz\r").len(), channel.ails(), channel.refused()), (0, Some(0xA4), false));
     channel.take(b"\x07");
     assert!(channel.refused() && !channel.refused());
+}
+
+#[test]
+fn who_listens_hears_what_is_damaged_but_for_what_he_came_into() {
+    let overheard = Rc::new(RefCell::new(Overheard::default()));
+    let mut ear = Ear::new(overheard.clone());
+    // The rest of a word that began before the channel was opened.
+    assert!(ear.take(b"00\r").is_empty() && overheard.borrow().damaged.is_empty());
+    assert_eq!(ear.take(b"t18").len(), 0);
+    assert_eq!(ear.take(b"XYZ\rt0800\r\xFF\x00\x07").len(), 3);
+    let mut overheard = overheard.borrow_mut();
+    assert_eq!(overheard.damaged.drain(..).collect::<Vec<_>>(), [b"t18XYZ".to_vec(), vec![0xFF, 0]]);
+    assert_eq!(overheard.frames.len(), 1);
 }
 
 proptest! {

@@ -70,6 +70,9 @@ impl Word {
     /// Status flags that tell of errors on the bus: error warning, error passive, bus error (Lawicel CANUSB manual, F).
     pub const ERRORS: u8 = 1 << 2 | 1 << 5 | 1 << 7;
 
+    /// Status flags that tell of frames that were lost: queue of received frames full, data overrun (the same).
+    pub const OVERRUNS: u8 = 1 | 1 << 3;
+
     /// The word that sets a bit rate; `None` for one that has no number.
     pub fn rate(bit_rate: u32) -> Option<Self> {
         let place = RATES.iter().position(|rate| u32::from(*rate) * 1_000 == bit_rate)?;

@@ -58,7 +58,9 @@ impl Page {
             pairs.extend((!left.is_empty()).then(|| (*word, left.join(", "))));
         }
         pairs.extend(load.undo_file.iter().map(|file| ("undo file", file.clone())));
-        self.heading(load.address, &load.drive) + &self.pairs(pairs)
+        // Behind several drives each may have another one.
+        let page = Page { node: load.node.max(self.node), ..self };
+        page.heading(load.address, &load.drive) + &self.pairs(pairs)
     }
 }
 

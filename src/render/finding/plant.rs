@@ -1,6 +1,6 @@
 //! `plan`, `apply`, `check`, `init`: the drives of a plant.
 
-use super::page::Page;
+use super::page::{Page, addressed};
 use super::paramfile::compared;
 use super::{Finding, Rows};
 use crate::outcome::{
@@ -77,7 +77,7 @@ impl Page {
                 |result: &dyn Fn(WriteResult) -> bool| load.values.iter().filter(|row| result(row.result)).count();
             vec![
                 drive.called.clone(),
-                load.address.to_string(),
+                addressed(load.address, load.node),
                 self.family(&load.drive).to_owned(),
                 self.word(state(drive.state)).to_owned(),
                 count(&due).to_string(),
@@ -134,7 +134,7 @@ impl Page {
             };
             vec![
                 one.called.clone(),
-                one.address.to_string(),
+                addressed(one.address, one.comparison.b.node),
                 self.family(&one.comparison.b.drive).to_owned(),
                 self.word(stands).to_owned(),
                 one.comparison.compared.to_string(),

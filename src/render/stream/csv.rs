@@ -6,6 +6,7 @@ use super::cells::{Board, bits, number, seconds};
 use crate::outcome::{Column, Record, Sample};
 use crate::profile::Lang;
 use crate::render::clean;
+use crate::render::finding::addressed;
 use std::io::{self, Write};
 
 pub(super) struct Csv<'a> {
@@ -53,7 +54,13 @@ impl<'a> Csv<'a> {
     fn cells(&mut self, sample: &Sample) -> Vec<String> {
         let error = sample.error.as_ref().or_else(|| sample.values.iter().find_map(|value| value.value.error.as_ref()));
         let state = sample.state.as_ref().map_or_else(String::new, |state| state.slug.clone());
-        let first = [seconds(sample.t), sample.n.to_string(), sample.address.to_string(), sample.drive.clone(), state];
+        let first = [
+            seconds(sample.t),
+            sample.n.to_string(),
+            addressed(sample.address, sample.node),
+            sample.drive.clone(),
+            state,
+        ];
         let values = self.board.values(sample).flat_map(|(column, value)| {
             let word = value.and_then(|value| value.word.as_ref());
             let shown = word.map_or_else(|| value.map_or_else(String::new, number), |word| word.hex.clone());

@@ -14,7 +14,6 @@ pub(super) struct Lines<'a> {
     out: &'a mut dyn Write,
     lang: Lang,
     /// Node of the system bus behind every drive; 0 is the drive itself.
-    node: u8,
     board: Board,
     /// The state has a column of its own, so its word needs none.
     state: bool,
@@ -27,8 +26,8 @@ const STATE: usize = 24;
 const VALUE: usize = 7;
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(out: &'a mut dyn Write, lang: Lang, node: u8) -> Self {
-        Lines { out, lang, node, board: Board::default(), state: false, widths: Vec::new() }
+    pub(super) fn new(out: &'a mut dyn Write, lang: Lang) -> Self {
+        Lines { out, lang, board: Board::default(), state: false, widths: Vec::new() }
     }
 
     fn head(&mut self, start: &StreamStart) -> io::Result<()> {
@@ -52,7 +51,7 @@ impl<'a> Lines<'a> {
         };
         let cells = self.board.values(sample).map(|(column, value)| short(column, value, self.lang)).collect();
         let error = sample.error.as_ref().map_or("", |error| error.message.get(self.lang));
-        self.line(&seconds(sample.t), &addressed(sample.address, self.node), &state, cells, error)
+        self.line(&seconds(sample.t), &addressed(sample.address, sample.node), &state, cells, error)
     }
 
     fn line(&mut self, time: &str, address: &str, state: &str, cells: Vec<String>, error: &str) -> io::Result<()> {

@@ -129,7 +129,7 @@ impl<'a> Stream<'a> {
             View::Csv => Box::new(csv::Csv::new(Box::new(out), manner.lang)),
             View::Influx => Box::new(influx::Influx::new(out)),
             View::OpenMetrics => Box::new(openmetrics::OpenMetrics::new(out)),
-            View::Lines => Box::new(lines::Lines::new(out, manner.lang, manner.node)),
+            View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
             View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner)),
             View::Pcap => Box::new(pcap::Pcap::new(Box::new(out), manner.is_can)?),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),

@@ -4,6 +4,7 @@ use super::cells::{Board, GAP, first_of, is_number, seconds, short};
 use super::{Form, Manner};
 use crate::outcome::{Decimal, Record, Sample};
 use crate::profile::Lang;
+use crate::render::finding::addressed;
 use crate::render::{clean, terminal_width};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -53,7 +54,7 @@ impl<'a> Ticker<'a> {
             let part = format!("{} {told}{unit}", self.board.label(column, self.lang));
             if ill { ills.push(part) } else { rest.push(part) }
         }
-        let state = format!("{}: {state}", sample.address);
+        let state = format!("{}: {state}", addressed(sample.address, sample.node));
         [state].into_iter().chain(ills).chain(rest).map(|part| clean(&part)).collect()
     }
 

@@ -67,6 +67,23 @@ fn what_is_wanted_of_a_bus_is_told_in_every_form() {
     assert_eq!(told(&again.out), first);
 }
 
+/// What an adapter says that is no word of it is told and counted, and so is that it lost frames itself.
+#[test]
+fn what_an_adapter_spoils_or_loses_is_told() {
+    let run = antrieb("--protocol sdo sniff --duration 2s --trace {dir}/t").on(BUS).exits(0);
+    assert!(!run.out.contains("overrun"), "{}", run.out);
+    let whole = run.text_of("t");
+    // Of a question (t6058…) the length is torn, and the status flags tell of an overrun.
+    let (before, behind) = whole.rsplit_once("74 36 30 35 38 ").unwrap();
+    let torn = format!("{before}74 36 30 35 58 {behind}").replace("46 30 30 0D", "46 30 39 0D");
+    assert!(torn.contains("46 30 39 0D"), "{whole}");
+    let sniff = "-p tape:{dir}/t --protocol sdo -b 500000 sniff --duration 2s";
+    let run = antrieb(sniff).file("t", &torn).exits(0);
+    assert!(run.out.contains("t605X4") && run.out.contains("it lost frames (overrun)"), "{}", run.out);
+    let run = antrieb(sniff).file("t", &torn).json().exits(0);
+    assert_eq!(*run.data("/garbled"), json!(1), "{:#}", run.value["data"]);
+}
+
 #[test]
 fn what_means_nothing_on_a_bus_is_refused_and_a_silent_one_is_told() {
     for (more, why) in [

@@ -161,7 +161,7 @@ impl Reader<'_> {
             let mut doc = match &line.what {
                 Said::Entry(entry) => self.what(&entry.what),
                 Said::Word(word) => self.slcan(word, line.sent),
-                Said::Damaged(word, error) => super::damaged(word, error),
+                Said::Damaged(word, error) => super::damaged_word(word, error),
             };
             doc.at_us = line.at_us.zip(begun).and_then(|(at, begun)| at.checked_sub(begun));
             if let Some(can) = doc.can.as_mut() {

@@ -9,7 +9,7 @@ impl Page {
     pub(super) fn drive_part(self, drive: &ReportedDrive, changed_only: bool) -> Vec<Block> {
         let called = drive.called.as_ref().map_or_else(String::new, |called| format!(" · {called}"));
         let family = self.family(&drive.drive);
-        let title = format!("{} {}{called} ({family})", self.word("drive"), drive.address);
+        let title = format!("{} {}{called} ({family})", self.word("drive"), self.address(drive.address));
         let mut blocks = vec![Block::Heading(1, title)];
         if let Some(error) = &drive.error {
             blocks.push(Block::Alarm(self.say(&error.message)));

@@ -61,7 +61,7 @@ impl Page {
         let none = || "-".to_owned();
         let family = self.family(&drive.drive);
         let name = drive.called.as_ref().map_or_else(|| family.to_owned(), |called| format!("{called} ({family})"));
-        let mut row = vec![drive.address.to_string(), name];
+        let mut row = vec![self.address(drive.address), name];
         match (&drive.diagnosis, &drive.error) {
             (Some(found), _) => {
                 let state = found.status.as_ref().and_then(|word| word.state.as_ref());

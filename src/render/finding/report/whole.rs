@@ -66,7 +66,7 @@ impl Page {
     fn line_part(self, check: &LineCheck) -> Vec<Block> {
         let facts = self.line_facts(check).into_iter().map(|(name, text)| self.fact(name, text));
         let rows = check.drives.iter().map(|drive| {
-            let mut row = vec![drive.address.to_string()];
+            let mut row = vec![self.address(drive.address)];
             match (&drive.test, &drive.error) {
                 (Some(test), _) => row.extend(self.tested(test)),
                 (None, error) => {

@@ -5,6 +5,7 @@ use crate::failure::may_turn;
 use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
+use crate::render::finding::addressed;
 use crate::render::stream::cells::{Board, find, first_of, is_number, long, number, seconds, short};
 use crate::render::words::word;
 use ratatui::Frame;
@@ -202,8 +203,13 @@ impl Screen {
     fn drive<'l>(&self, drive: &'l Drive, shown: bool, brief: bool) -> Line<'l> {
         let bold = Style::new().add_modifier(Modifier::BOLD);
         let marker = if shown && self.drives.len() > 1 { ">" } else { " " };
-        let Some(sample) = &drive.last else { return Line::raw(format!("{marker}{}", drive.about.address)) };
-        let mut spans = vec![Span::styled(format!("{marker}{} {}  ", sample.address, clean(&sample.drive)), bold)];
+        let Some(sample) = &drive.last else {
+            return Line::raw(format!("{marker}{}", addressed(drive.about.address, drive.about.node)));
+        };
+        let mut spans = vec![Span::styled(
+            format!("{marker}{} {}  ", addressed(sample.address, sample.node), clean(&sample.drive)),
+            bold,
+        )];
         if let Some(error) = &sample.error {
             let text = format!("{}: {}", self.word("gap"), clean(error.message.get(self.lang)));
             spans.push(Span::styled(text, self.tint(Color::Red).add_modifier(Modifier::BOLD)));

@@ -31,7 +31,7 @@ fn watched(address: u8) -> WatchedDrive {
         column(210, Text::new("Stator frequency", "Ständerfrequenz"), Some("Hz"), "stator-frequency"),
         column(260, Text::new("Current error", "Aktueller Fehler"), None, "fault"),
     ];
-    WatchedDrive { address, called: None, drive: "act".to_owned(), title: None, columns }
+    WatchedDrive { address, node: 0, called: None, drive: "act".to_owned(), title: None, columns }
 }
 
 fn at(second: i64) -> Decimal {
@@ -73,6 +73,7 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
         n,
         port: None,
         address,
+        node: 0,
         called: None,
         drive: "act".to_owned(),
         state: raw.map(|_| State {
