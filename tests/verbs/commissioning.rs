@@ -213,6 +213,46 @@ fn what_the_killed_run_did_not_leave_is_left_alone_and_named() {
     assert!(anew.err.contains("P.413@0ram = 0, P.434@1ram = 3"), "{}", anew.err);
 }
 
+/// A record is a file that anybody can change: what the procedure never sets is not set back, and what cannot have stood there is not
+/// either. A control word that a record calls lent would start the shaft.
+#[test]
+fn what_the_procedure_never_sets_is_refused_before_anything_is_sent() {
+    let row = |param: u32, place: &str, old: i64, new: i64| {
+        let data_set: u8 = place[..1].parse().unwrap();
+        let (name, stood) = (format!("P.{param}@{place}"), old.to_string());
+        serde_json::json!({ "param": param, "name": name, "data_set": data_set, "old": old, "stood": stood, "new": new })
+    };
+    let watchdog = || row(413, "0ram", 0, 2);
+    let with = |key: &str, value: serde_json::Value| {
+        let mut row = watchdog();
+        row[key] = value;
+        row
+    };
+    for (lent, words) in [
+        (row(410, "0ram", 15, 0), ["P.410@0ram back to 15", "P.410@0ram auf 15"]),
+        (row(34, "0ram", 123, 0), ["P.34@0ram back to 123", "P.34@0ram auf 123"]),
+        (row(480, "1ram", 20, 0), ["P.480@1ram back to", "P.480@1ram auf"]),
+        // What another procedure sets is not this one's.
+        (row(417, "0ram", 9_999, 500), ["P.417@0ram back to 9999", "P.417@0ram auf 9999"]),
+        (row(413, "0ram", 99_999, 2), ["99999", "99999"]),
+        (row(434, "1ram", 7, 2), ["P.434@1ram back to 7", "P.434@1ram auf 7"]),
+        // Under 1 the control word counts, whatever stands in it: a run goes there, and never comes from elsewhere.
+        (row(412, "1ram", 1, 0), ["P.412@1ram back to 1 where it is 0", "P.412@1ram auf 1 zurückstellen, wo 0 steht"]),
+        (with("data_set", 9.into()), ["calls it P.413@0ram", "nennt das P.413@0ram"]),
+        (with("name", "P.410".into()), ["calls it P.410", "nennt das P.410"]),
+        (with("stood", "0 410=15".into()), ["calls it P.413@0ram = 0 410=15", "nennt das P.413@0ram = 0 410=15"]),
+    ] {
+        let kept = killed(&serde_json::json!([watchdog(), lent]));
+        for (lang, word) in ["en", "de"].into_iter().zip(words) {
+            let line = format!("--lang {lang} -v {} --again", commission(PLATE));
+            let told = antrieb(&line).file(RECORD, &kept).on(KNOWN).exits(7);
+            assert!(told.err.contains(word) && told.err.contains("commission"), "{word}: {}", told.err);
+            assert!(told.sent().is_empty(), "{word}: {:?}", told.sent());
+            assert_eq!(told.text_of(RECORD), kept);
+        }
+    }
+}
+
 /// Who goes on asks again who answers: what was proven of one drive is no proof of another, and nothing is set back in it.
 #[test]
 fn a_record_does_not_go_on_with_another_drive() {

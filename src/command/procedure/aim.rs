@@ -101,7 +101,7 @@ impl Aim {
 }
 
 /// Range and width, as far as a source tells them.
-fn fits(param: &Param, raw: i64) -> Result<(), value::ValueError> {
+pub(super) fn fits(param: &Param, raw: i64) -> Result<(), value::ValueError> {
     value::check_range(raw, param)?;
     param.kind.map_or(Ok(()), |kind| value::check_type(raw, kind, param))
 }

@@ -2,6 +2,7 @@
 //! goes on gives back what still stands as the run has set it, and names what does not.
 
 use super::guide::{Deed, Guide, Turn};
+use super::held::held;
 use super::record;
 use crate::drive::motion::{has_power, look};
 use crate::drive::{Reading, Target, job};
@@ -30,6 +31,7 @@ impl Guide<'_> {
         let mut target = self.known().await?;
         self.allow();
         let family = target.family.clone();
+        held(&self.path, &self.record, self.procedure, &family)?;
         let found = self.stands(&mut target).await?;
         let seen = look(&mut self.session, &mut target).await?;
         if !found.ours.is_empty() && has_power(&seen.state) != Some(false) {

@@ -7,6 +7,7 @@ mod contact;
 mod dry;
 mod given;
 mod guide;
+mod held;
 mod lent;
 mod nameplate;
 mod offset;

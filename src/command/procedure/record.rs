@@ -1,6 +1,7 @@
 //! The record of a procedure: a file that is written whole behind every step, and read again to go on.
 
 use super::given::Given;
+use super::held::held;
 use crate::command::output;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -21,7 +22,7 @@ pub(super) fn kept(path: &Path) -> Result<Option<ProcedureRecord>, Failure> {
 /// The record to go on with: what was kept, or a new one.
 ///
 /// # Errors
-/// What was kept is of something else, or the file cannot be written.
+/// What was kept is of something else, or would set back what it never set, or the file cannot be written.
 pub(super) fn open(
     path: &Path,
     kept: Option<ProcedureRecord>,
@@ -60,6 +61,7 @@ pub(super) fn open(
         let was = both!("it was begun with other values", "sie wurde mit anderen Werten begonnen");
         return Err(wrong(path, &was).hint(begin_anew()));
     }
+    held(path, &kept, procedure, family)?;
     Ok(kept)
 }
 
@@ -89,12 +91,12 @@ pub(super) fn save(path: &Path, record: &ProcedureRecord) -> Result<(), Failure>
     output::write(path, &(text + "\n"), true)
 }
 
-fn wrong(path: &Path, why: &Text) -> Failure {
+pub(super) fn wrong(path: &Path, why: &Text) -> Failure {
     let message = both!("{file}: {why}", "{file}: {why}", file = path.display(), why);
     Failure::new(Class::Data, "data.record", message)
 }
 
-fn begin_anew() -> Text {
+pub(super) fn begin_anew() -> Text {
     both!(
         "--record names another file; --force begins anew and replaces this one",
         "--record nennt eine andere Datei; --force beginnt von vorn und ersetzt diese"

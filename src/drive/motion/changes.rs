@@ -38,9 +38,14 @@ const TRIES: u8 = 5;
 /// The data set of a setting that is changed, and its place, as messages call it.
 fn placed(family: &Family, param: &Param, set: u8) -> (u8, String) {
     let (data_set, _) = describe::place(set);
+    (data_set, place_name(family, param, data_set))
+}
+
+/// A setting of a data set in RAM, as messages call it.
+pub fn place_name(family: &Family, param: &Param, data_set: u8) -> String {
     match family.link.route.has_data_sets() {
-        true => (data_set, format!("{}@{data_set}ram", param.label())),
-        false => (data_set, param.label()),
+        true => format!("{}@{data_set}ram", param.label()),
+        false => param.label(),
     }
 }
 

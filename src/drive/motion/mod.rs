@@ -30,7 +30,7 @@ pub use super::route::Meant;
 pub use before::{
     Standing, elsewhere, is_controlled, own_setpoints, present, runs_at, standing, upon_enabling, zero_only_slows,
 };
-pub use changes::{Keeps, would_change};
+pub use changes::{Keeps, place_name, would_change};
 pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
