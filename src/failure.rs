@@ -91,6 +91,12 @@ impl Failure {
         if self.alarm { Text::join([&may_turn(), &said], ": ") } else { said }
     }
 
+    /// The same with what is to be done about it.
+    pub fn told_whole(&self) -> Text {
+        let hint = self.hint.as_deref().filter(|hint| !hint.is_empty());
+        Text::join([Some(&self.told()), hint].into_iter().flatten(), "; ")
+    }
+
     fn said(&self) -> Text {
         let message = &self.message;
         match self.of {

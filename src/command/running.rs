@@ -4,8 +4,8 @@ use super::again::one_of;
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Keeps, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look, shout, shout_zero,
-    watchdog_raw,
+    Ended, FirstWord, Keeps, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look, shout,
+    shout_zero, watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
@@ -318,8 +318,9 @@ async fn on_drive<'p, C>(
         })
         .await;
     let (done, after) = aftermath(&mut motor, &mut ended, &plan).await;
-    keypad::close(&mut motor, &mut ended, &plan, interrupt).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
+    let verdict = |ended: &Ended<()>| verdict::of(&plan, &family, &seen, ended, seen.runs(), &done);
+    keypad::close(&mut motor, &mut ended, &plan, interrupt, verdict).await;
     if passing.is_some() {
         session.end_at(Some(session.now() + PROOF));
         let named = super::target(session, settings, registry, address, false).await;

@@ -42,3 +42,14 @@ pub(super) struct Seen {
     pub(super) first: Option<Situation>,
     pub(super) after: Option<Situation>,
 }
+
+impl Seen {
+    /// Whether it runs at the end, if that is known.
+    pub(super) fn runs(&self) -> Option<bool> {
+        self.after.as_ref().map(has_power)
+    }
+}
+
+pub(super) fn has_power(situation: &Situation) -> bool {
+    crate::drive::motion::has_power(&situation.state) == Some(true)
+}

@@ -94,8 +94,14 @@ pub(in crate::command) fn stays(panel: &Panel, is_well: bool, was_held: bool) ->
 }
 
 /// A run that was held and ended by its keypad came to its normal end, unless somebody interrupted as well. Where it was only
-/// stopped its view stays until somebody leaves.
-pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan: &Plan<'_>, interrupt: &Interrupt) {
+/// stopped its view stays until somebody leaves, with what will be reported of its end.
+pub(super) async fn close(
+    motor: &mut Motor<'_, '_>,
+    ended: &mut Ended<()>,
+    plan: &Plan<'_>,
+    interrupt: &Interrupt,
+    verdict: impl FnOnce(&Ended<()>) -> Option<Failure>,
+) {
     let panel = interrupt.panel();
     let by = panel.ended();
     let was_held = motor.watched.as_ref().is_some_and(Watched::was_held);
@@ -110,12 +116,6 @@ pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan
     }
     let Some(stays) = stays(panel, ended.result.is_ok(), was_held) else { return };
     let stands = ended.stop.as_ref().is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
-    let told = last_told(stands);
-    let told = match &ended.result {
-        // Nothing was started that could turn.
-        Err(failure) if !was_held && ended.stop.is_none() => failure.told(),
-        Err(failure) if !is_interrupted => Text::join([&failure.told(), &told], "; "),
-        _ => told,
-    };
+    let told = verdict(ended).map_or_else(|| last_told(stands), |failure| failure.told_whole());
     motor.linger(interrupt, told, stays).await;
 }

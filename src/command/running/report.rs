@@ -1,6 +1,6 @@
 //! What came of a run, as it is reported.
 
-use super::done::{Done, Seen};
+use super::done::{Done, Seen, has_power};
 use super::{Plan, nothing_stops_it, verdict};
 use crate::drive::motion::{Ended, Motor, Situation, coasting, watchdog_words};
 use crate::drive::{Target, describe};
@@ -57,7 +57,7 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
     let family = &target.family;
     let state = |situation: &Situation| describe::state(family, situation.status);
     let to = seen.after.as_ref().map(state);
-    let running = seen.after.as_ref().map(has_power);
+    let running = seen.runs();
     let mut notes = done.notes.clone();
     if running == Some(true) {
         notes.push(keeps(plan, seen.after.as_ref(), done.standing));
@@ -120,8 +120,4 @@ fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>) -> 
 /// A quick stop that has brought the shaft to rest and holds it there.
 fn is_held(after: Option<&Situation>, standing: Option<bool>) -> bool {
     after.is_some_and(|seen| seen.state == "quick-stop-active") && standing == Some(true)
-}
-
-fn has_power(situation: &Situation) -> bool {
-    crate::drive::motion::has_power(&situation.state) == Some(true)
 }

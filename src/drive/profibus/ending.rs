@@ -91,11 +91,17 @@ impl Exchange<'_, '_> {
         if let Some((panel, stays, why)) = self.stays.take()
             && (stopped.is_ok() || is_turning(&stopped))
         {
-            let told = match (stopped.is_ok(), self.still.standing()) {
-                (true, None) => trouble::off(),
-                (is_dark, standing) => last_told(is_dark && standing == Some(true)),
+            let told = match (&stopped, self.still.standing()) {
+                (Err(failure), _) => Failure { alarm: true, ..failure.clone() }.told_whole(),
+                (Ok(()), None) => trouble::off(),
+                (Ok(()), standing) => last_told(standing == Some(true)),
             };
-            let told = Text::join(&why.into_iter().chain([told]).collect::<Vec<_>>(), "; ");
+            // The danger first.
+            let mut told: Vec<Text> = why.into_iter().chain([told]).collect();
+            if stopped.is_err() {
+                told.reverse();
+            }
+            let told = Text::join(&told, "; ");
             self.lingers(Lingering::new(panel, stays, self.line.now()), told).await;
             // Meanwhile it may have begun to turn. Who is lost behind a stop that was proven is told as lost by what comes next.
             if stopped.is_ok()

@@ -335,6 +335,42 @@ fn a_space_leaves_the_view_open_and_q_closes_it() {
     assert!(seen.notes.iter().any(|note| note == "the stop was acknowledged, the shaft stands"), "{:?}", seen.notes);
 }
 
+/// A stop that is not obeyed is told where somebody looks, with what stops the shaft now, and not only behind his key.
+#[test]
+fn a_stop_that_is_not_obeyed_is_told_in_the_view_that_stays() {
+    let deaf = ["ignores = 410", "ignores = 6938\nrefuses = 6914"];
+    for (model, keys, line) in DRIVES {
+        for more in ["--view", "--dead-man"] {
+            let deaf = deaf[usize::from(model == "lxm05")];
+            let keys = format!("{keys}\n[[drive.event]]\nat = \"3s\"\n{deaf}");
+            let (mut left, mut let_go) = (None, None);
+            let seen = run((model, &keys, line), more, &mut |_, at, hand| match at.since(Tick::ZERO).as_millis() {
+                ..4_000 => hand.button(Button::Hold, at),
+                _ if let_go.is_none() => {
+                    let_go = Some(at);
+                    if more == "--view" {
+                        hand.button(Button::Stop, at);
+                    }
+                }
+                90_000.. if left.is_none() => {
+                    left = Some(at);
+                    hand.button(Button::End, at);
+                }
+                _ => {}
+            });
+            let what = format!("{model} {more}: {:?} {:?}", seen.failure, seen.notes);
+            assert!(left.is_some() && seen.failure.as_ref().is_some_and(|failure| failure.alarm), "{what}");
+            let is_end = |event: &Event| matches!(event, Event::Record(record) if matches!(&**record, Record::Run(news) if news.phase == "ended"));
+            let end = seen.story.iter().position(is_end).unwrap_or_else(|| panic!("{what}"));
+            let told = seen.story[end..]
+                .iter()
+                .find_map(|event| if let Event::Note(note) = event { Some(note.en.clone()) } else { None });
+            let told = told.unwrap_or_else(|| panic!("{what}"));
+            assert!(told.starts_with("THE SHAFT MAY STILL TURN: ") && told.contains("what stops it now: "), "{what}");
+        }
+    }
+}
+
 #[test]
 fn only_ctrl_c_asks_for_a_harder_stop() {
     let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| {

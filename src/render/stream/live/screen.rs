@@ -82,7 +82,8 @@ impl Screen {
                 self.t = sample.t;
                 self.rounds = sample.n + 1;
                 self.gaps += u64::from(sample.error.is_some());
-                if sample.error.is_none() {
+                // Who answers again is heard; of a stop that was not proven an answer proves nothing.
+                if sample.error.is_none() && self.run.as_ref().is_none_or(|run| run.phase != "ended") {
                     self.alarm.clear();
                 }
                 let drive = self.drives.iter_mut().find(|drive| drive.about.address == sample.address);

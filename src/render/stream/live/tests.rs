@@ -280,6 +280,27 @@ fn that_the_shaft_may_turn_stays_whatever_else_is_said() {
     assert!(!drawn(&screen, 80, 24).join("\n").contains("KANN NOCH DREHEN"));
 }
 
+/// Behind the end of a run answers go on coming: they prove nothing of a stop that was not proven.
+#[test]
+fn that_a_stop_was_not_proven_stays_until_somebody_leaves() {
+    for (lang, told, stops) in [
+        (Lang::De, "DIE WELLE KANN NOCH DREHEN: der Halt wurde NICHT bestätigt; was ihn jetzt anhält: STO", "STO"),
+        (Lang::En, "THE SHAFT MAY STILL TURN: the stop was NOT acknowledged; what stops it now: STO", "STO"),
+    ] {
+        let mut screen = screen_in(lang, "sollwert", 1, &[Some(0), Some(1_250), None]);
+        screen.record(&course("ended"));
+        screen.note(told);
+        for n in 0..20 {
+            screen.record(&sample(1, n, Some(1_000)));
+            screen.record(&course("ended"));
+        }
+        for height in [24, 12] {
+            let page = drawn(&screen, 80, height).join(" ");
+            assert!(page.contains(&told[..told.find(':').unwrap()]) && page.contains(stops), "{page}");
+        }
+    }
+}
+
 /// The end of a warning may be what matters.
 #[test]
 fn what_was_said_last_of_a_run_is_shown_whole() {
