@@ -25,7 +25,7 @@ pub(in crate::drive) fn unopened(port: &str, bit_rate: u32, why: &Unopened) -> F
             both!(
                 "{port} speaks no SLCAN: what came is no word of it ({came})",
                 "{port} spricht kein SLCAN: was kam, gehört nicht dazu ({came})",
-                came = Text::count(*bytes as u64, ["byte", "bytes"], ["Byte", "Bytes"])
+                came = Text::count(*bytes, ["byte", "bytes"], ["Byte", "Bytes"])
             ),
         )
         .hint(both!(
