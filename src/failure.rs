@@ -161,6 +161,16 @@ pub fn may_turn() -> Text {
     both!("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
 }
 
+/// What is said as soon as it is known that nobody answers a stop.
+pub fn unanswered_stop() -> Text {
+    both!(
+        "{turns}: no valid answer to the stop, which goes on being sent; what stops it now: the enable input, the emergency stop, or the mains",
+        "{turns}: keine gültige Antwort auf den Halt, der weiter gesendet wird; was ihn jetzt anhält: der Freigabeeingang, der Not-Halt oder das \
+         Netz",
+        turns = may_turn()
+    )
+}
+
 /// For programs and their logs: in English.
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

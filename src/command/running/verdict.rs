@@ -3,11 +3,11 @@
 use super::Plan;
 use super::done::{Done, Seen};
 use crate::args::StopArg;
-use crate::drive::motion::{Ended, Situation, has_power, tripped};
+use crate::drive::motion::{Ended, Situation, has_power, tripped, what_stops_it};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
-use crate::profile::{Family, Need, Part};
+use crate::profile::Family;
 use crate::text::{Text, both};
 
 /// A shaft that nobody saw standing may coast.
@@ -205,17 +205,6 @@ fn unseen_relief(plan: &Plan<'_>, done: &Done) -> Option<Failure> {
 fn other_stop(done: &Done) -> Option<Failure> {
     let failure = Failure::new(Class::Forbidden, "forbidden.other_stop", done.instead.clone()?);
     Some(if done.standing == Some(true) { failure } else { warned(failure) })
-}
-
-/// What stops a drive that cannot be reached.
-fn what_stops_it(family: &Family) -> Text {
-    let enable = family.motion.interlock(Need::Release).and_then(|row| row.parts.first());
-    let usual = || both!("its safe-torque-off or enable input", "sein STO- oder Freigabeeingang");
-    both!(
-        "what stops it now: {enable}, the emergency stop, or the mains",
-        "was ihn jetzt anhält: {enable}, der Not-Halt oder das Netz",
-        enable = enable.map_or_else(usual, Part::text)
-    )
 }
 
 /// Nothing went wrong on the way; is the drive where it was to be?

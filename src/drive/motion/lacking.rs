@@ -4,7 +4,7 @@ use super::look::Situation;
 use crate::drive::describe;
 use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
-use crate::profile::Family;
+use crate::profile::{Family, Need, Part};
 use crate::text::{Text, both};
 
 /// What keeps the drive from running, in words, and how one sees it.
@@ -84,4 +84,15 @@ pub fn tripped(family: &Family, code: u32) -> Failure {
         Some(remedy) => failure.hint(remedy),
         None => failure,
     }
+}
+
+/// What stops a drive that cannot be reached, or does not obey.
+pub fn what_stops_it(family: &Family) -> Text {
+    let enable = family.motion.interlock(Need::Release).and_then(|row| row.parts.first());
+    let usual = || both!("its safe-torque-off or enable input", "sein STO- oder Freigabeeingang");
+    both!(
+        "what stops it now: {enable}, the emergency stop, or the mains",
+        "was ihn jetzt anhält: {enable}, der Not-Halt oder das Netz",
+        enable = enable.map_or_else(usual, Part::text)
+    )
 }

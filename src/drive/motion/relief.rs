@@ -7,7 +7,7 @@ use super::still::{QUICK_STOP, STOPPED};
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
 use crate::exchange::ExchangeError;
-use crate::failure::{Class, Failure, may_turn};
+use crate::failure::{Class, Failure, unanswered_stop};
 use crate::gate::Relief;
 use crate::profile::{Mode, Param, Takes, Transition};
 use crate::text::{Text, both};
@@ -21,16 +21,6 @@ pub(super) fn command_of(act: Relief) -> Option<&'static str> {
         Relief::DisableVoltage => Some("disable-voltage"),
         Relief::Zero => None,
     }
-}
-
-/// What is said as soon as it is known that nobody answers a stop.
-pub(super) fn unanswered() -> Text {
-    both!(
-        "{turns}: no valid answer to the stop, which goes on being sent; what stops it now: the enable input, the emergency stop, or the mains",
-        "{turns}: keine gültige Antwort auf den Halt, der weiter gesendet wird; was ihn jetzt anhält: der Freigabeeingang, der Not-Halt oder das \
-         Netz",
-        turns = may_turn()
-    )
 }
 
 impl StopChoice {
@@ -86,7 +76,7 @@ impl Motor<'_, '_> {
         self.sight.forget();
         self.looked_at_before();
         self.session.insist(true);
-        self.session.warns(unanswered());
+        self.session.warns(unanswered_stop());
         match self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await {
             Err(failure) if self.is_off() && failure.is_unheard() => {
                 self.tell_lost(&failure);

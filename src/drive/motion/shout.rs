@@ -26,11 +26,12 @@
 //!   every mode in which a zero brings the shaft to rest.
 
 use super::passing::Look;
-use super::relief::{command_of, unanswered};
+use super::relief::command_of;
 use crate::drive::access::AccessError;
 use crate::drive::route::{Meant, no};
 use crate::drive::session::Session;
 use crate::exchange::{Answer, Limits, Question};
+use crate::failure::unanswered_stop;
 use crate::gate::Relief;
 use crate::outcome::Event;
 use crate::profile::{Family, Registry};
@@ -380,7 +381,7 @@ impl<'m> Call<'m> {
         let now = session.now();
         let begun = *self.begun.get_or_insert(now);
         if !self.tell.is_first() {
-            session.warns(unanswered());
+            session.warns(unanswered_stop());
         }
         let waits = match self.tell {
             Tell::Unsounded => GLANCE,

@@ -1,10 +1,9 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
 use super::look::raw;
-use super::relief::unanswered;
 use super::still::{QUICK_STOP, STOPPED, never_powered};
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
-use crate::failure::{Class, Failure};
+use crate::failure::{Class, Failure, unanswered_stop};
 use crate::outcome::{Event, State, Stop};
 use crate::profile::{Mode, StopRow, Takes};
 use crate::text::{Text, both};
@@ -159,7 +158,7 @@ impl Motor<'_, '_> {
         self.shown = None;
         self.sight.forget();
         self.session.insist(true);
-        self.session.warns(unanswered());
+        self.session.warns(unanswered_stop());
         let begun = self.session.now();
         (self.heard, self.unheard) = (begun, false);
         if self.relieving.is_none() {

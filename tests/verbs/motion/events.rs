@@ -230,7 +230,7 @@ fn a_watchdog_that_acted_meanwhile_is_named_also_where_it_makes_no_fault() {
         });
         let failure = came.ended.result.as_ref().unwrap_err();
         let told = format!("{:?} {:?}", failure.message.en, failure.hint.as_ref().map(|hint| hint.en.clone()));
-        assert!(told.contains("MBnode_guard") && told.contains("nothing came from it for 3"), "{reading}: {told}");
+        assert!(told.contains("MBnode_guard") && told.contains("nothing was asked for 3"), "{reading}: {told}");
         assert!(!told.contains("second master"), "{reading}: {told}");
     }
 }

@@ -1,7 +1,6 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
-use super::super::relief::unanswered;
 use super::{
     BRIEF, PAUSE, SHORT, SHOUTING, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed,
     unless_interrupted,
@@ -11,6 +10,7 @@ use crate::drive::route::{Cell, Inquiry, Meant, no};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::exchange::{Answer, Limits, Question};
+use crate::failure::unanswered_stop;
 use crate::outcome::Event;
 use crate::profile::{Family, Mode, Registry, Type};
 use crate::text::both;
@@ -160,7 +160,7 @@ async fn repeat(
     slow: bool,
 ) -> Result<bool, AccessError> {
     let (limits, patient) = (session.limits(), session.patient());
-    session.warns(unanswered());
+    session.warns(unanswered_stop());
     let (mut refused, mut interrupted) = (false, false);
     let (begun, mut round) = (session.now(), 0);
     while round < TIMES {

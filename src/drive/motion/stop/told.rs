@@ -2,6 +2,8 @@
 
 use super::super::Motor;
 use super::StopChoice;
+use crate::drive::motion::lacking::what_stops_it;
+use crate::failure::may_turn;
 use crate::outcome::Event;
 use crate::text::{Text, both};
 
@@ -45,7 +47,14 @@ impl Motor<'_, '_> {
             }
         };
         self.stops_by(next);
-        self.session.tell(Event::Note(text.clone()));
+        // Who works on as if nothing had been said is stopped by somebody else, if need be.
+        let is_deaf = !interrupted && self.works;
+        let stops = what_stops_it(&self.target.family);
+        let turns = may_turn();
+        self.session.tell(Event::Note(match is_deaf {
+            true => both!("{turns}: {text}; {stops}", "{turns}: {text}; {stops}", turns, text, stops),
+            false => text.clone(),
+        }));
         self.notes.push(text);
         self.has_time_for_a_word();
     }

@@ -1,7 +1,7 @@
 //! The live view without a terminal: a line for every drive, and the values of one of them.
 
 use super::past::{Drive, float};
-use crate::failure::may_turn;
+use crate::failure::{may_turn, unanswered_stop};
 use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
@@ -82,8 +82,8 @@ impl Screen {
                 self.t = sample.t;
                 self.rounds = sample.n + 1;
                 self.gaps += u64::from(sample.error.is_some());
-                // Who answers again is heard; of a stop that was not proven an answer proves nothing.
-                if sample.error.is_none() && self.run.as_ref().is_none_or(|run| run.phase != "ended") {
+                // Who answers again is heard. Of a stop that is not obeyed, or was not proven, an answer proves nothing.
+                if sample.error.is_none() && self.alarm == unanswered_stop().get(self.lang) {
                     self.alarm.clear();
                 }
                 let drive = self.drives.iter_mut().find(|drive| drive.about.address == sample.address);

@@ -3,7 +3,7 @@
 use super::chart::bounds;
 use super::picture::lines as drawn;
 use super::screen::Screen;
-use crate::failure::{Class, Failure};
+use crate::failure::{Class, Failure, may_turn, unanswered_stop};
 use crate::outcome::{
     Column, Decimal, ErrorDoc, Record, RunKeys, RunNews, Sample, SampleValue, State, StreamStart, Value, WatchedDrive,
 };
@@ -288,6 +288,12 @@ fn that_a_stop_was_not_proven_stays_until_somebody_leaves() {
         (Lang::En, "THE SHAFT MAY STILL TURN: the stop was NOT acknowledged; what stops it now: STO", "STO"),
     ] {
         let mut screen = screen_in(lang, "sollwert", 1, &[Some(0), Some(1_250), None]);
+        screen.record(&course("stopping"));
+        screen.note(unanswered_stop().get(lang));
+        assert!(drawn(&screen, 80, 24).join(" ").contains(may_turn().get(lang)));
+        // Who answers again is heard.
+        screen.record(&sample(1, 3, Some(1_000)));
+        assert!(!drawn(&screen, 80, 24).join(" ").contains(may_turn().get(lang)));
         screen.record(&course("ended"));
         screen.note(told);
         for n in 0..20 {
@@ -296,7 +302,7 @@ fn that_a_stop_was_not_proven_stays_until_somebody_leaves() {
         }
         for height in [24, 12] {
             let page = drawn(&screen, 80, height).join(" ");
-            assert!(page.contains(&told[..told.find(':').unwrap()]) && page.contains(stops), "{page}");
+            assert!(page.contains(may_turn().get(lang)) && page.contains(stops), "{page}");
         }
     }
 }
