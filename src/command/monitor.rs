@@ -249,10 +249,16 @@ impl Wanted {
         }
         if let Some(stranger) = triggers.iter().find(|text| !trigger::is_condition(text)) {
             let names = known.keys().cloned().collect::<Vec<_>>().join(", ");
-            let message = both!(
-                "there is no trigger '{stranger}' (`[triggers]` has: {names})",
-                "es gibt keinen Auslöser '{stranger}' (`[triggers]` hat: {names})"
-            );
+            let message = match names.is_empty() {
+                true => both!(
+                    "there is no trigger '{stranger}', and no `[triggers]` in antrieb.toml",
+                    "es gibt keinen Auslöser '{stranger}' und keine `[triggers]` in antrieb.toml"
+                ),
+                false => both!(
+                    "there is no trigger '{stranger}' (`[triggers]` has: {names})",
+                    "es gibt keinen Auslöser '{stranger}' (`[triggers]` hat: {names})"
+                ),
+            };
             return Err(Failure::new(Class::Usage, "usage.trigger", message).hint(trigger::shapes()));
         }
         let window = Window { pre: pre.unwrap_or(PRE), post: post.unwrap_or(POST), once };

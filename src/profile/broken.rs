@@ -10,6 +10,7 @@ mod words;
 use super::names::place;
 use crate::text::{Text, both};
 use serde::de;
+use serde_json::error::Category;
 use words::{EXPECTED, WRONG};
 
 /// Why a file is refused, and where.
@@ -43,6 +44,17 @@ impl Broken {
 /// Where the reader of TOML stumbled, in bytes, and what it says of it.
 pub fn stumbled(error: &toml::de::Error) -> (usize, Text) {
     (error.span().map_or(0, |span| span.start), said(error.message()))
+}
+
+/// Why a file is not the JSON that it should be, and where.
+pub fn stumbled_json(error: &serde_json::Error) -> Text {
+    let (line, column, message) = (error.line(), error.column(), error.to_string());
+    let why = match error.classify() {
+        Category::Data => said(message.rsplit_once(" at line ").map_or(message.as_str(), |(why, _)| why)),
+        Category::Eof => both!("it ends before it is complete", "sie endet, bevor sie vollständig ist"),
+        Category::Syntax | Category::Io => both!("that is no JSON", "das ist kein JSON"),
+    };
+    both!("line {line}, column {column}: {why}", "Zeile {line}, Spalte {column}: {why}", why)
 }
 
 /// An error of our own for the reader, which hands on a single text: both languages go in it, for [`stumbled`] to part them.

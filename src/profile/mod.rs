@@ -27,7 +27,7 @@ mod time;
 pub mod value;
 
 pub use crate::text::{Lang, Text};
-pub use broken::{Broken, in_both, stumbled};
+pub use broken::{Broken, in_both, stumbled, stumbled_json};
 pub use catalogue::{CatalogueFile, DriveTitle, Registry};
 pub use cited::{cited, origin};
 pub use family::{Family, LookupError, WordBit};

@@ -144,6 +144,79 @@ fn a_trip_and_a_coast_are_no_responses() {
     }
 }
 
+/// The state of a round may be read before the enable that its setpoint shows already, or its actual value.
+#[test]
+fn a_step_that_comes_with_the_enable_is_measured_whenever_its_state_was_read() {
+    for at in ["2.08s", "2.1s", "2.12s", "2.14s"] {
+        let bench = format!(
+            "[[drive]]\nmodel = \"act\"\nenable = false\nramps = {{ up_right = 5000, down_right = 5000, up_left = 5, down_left = 5 }}\n\
+             set = {{ \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }}\n\
+             [[drive.event]]\nat = \"{at}\"\nenable = true\n"
+        );
+        for file in ["x.ndjson", "x.csv"] {
+            let line = format!("-a 1 monitor --interval 100ms --duration 5s --unpaced --record {{dir}}/{file}");
+            let plot = antrieb(&line).on(&bench).exits(0).then(&format!("plot {{dir}}/{file} --measure"));
+            let plot = plot.json().exits(0);
+            let [told] = &plot.data("/responses").as_array().unwrap()[..] else {
+                panic!("{at} {file}: {:#}", plot.value)
+            };
+            // One time holds for a whole row of CSV, in which the actual value may have been read behind the enable already.
+            if (at, file) == ("2.14s", "x.csv") {
+                continue;
+            }
+            assert_eq!(
+                (&told["start"], &told["end"], &told["to"]),
+                (&json!(0.0), &json!(25.0), &json!(25.0)),
+                "{at} {file}"
+            );
+            assert!(told["settling_s"].is_f64() && told["overshoot_percent"].is_f64(), "{at} {file}: {told:#}");
+            assert_eq!(plot.data("/notes"), &json!([]), "{at} {file}");
+        }
+    }
+    // A setpoint that stood long before: that it is not measured is said.
+    let row = |t: usize| {
+        let (state, actual) = if t < 20 { ("switched-on", 0) } else { ("operation-enabled", 5 * (t - 20)) };
+        format!("{:.1},{t},1,act,{state},25.00,{actual}.00,\n", t as f64 / 10.0)
+    };
+    let head = "t,n,address,drive,state,ramp-reference-frequency,stator-frequency,error\n".to_owned();
+    let record = head + &(0..30).map(row).collect::<String>();
+    for (lang, words) in
+        [("en", "with a setpoint of 25 Hz that stood already"), ("de", "ein Sollwert von 25 Hz stand schon an")]
+    {
+        let line = format!("--lang {lang} plot {{dir}}/x.csv --measure");
+        let told = antrieb(&line).file("x.csv", &record).exits(0);
+        assert!(told.out.contains(words), "{}", told.out);
+        assert!(!antrieb(&line.replace(" --measure", "")).file("x.csv", &record).exits(0).out.contains(words));
+    }
+}
+
+/// A table has no record of a trip; what its fault was stands in its rows, perhaps in a later one.
+#[test]
+fn a_fault_in_a_table_is_marked_with_its_code() {
+    let record = |cells: [&str; 4]| {
+        let states = ["operation-enabled", "fault", "fault", "fault"];
+        let rows = (0..4).map(|n| format!("{n}.0,{n},1,act,{},1.00,{},\n", states[n], cells[n])).collect::<String>();
+        "t,n,address,drive,state,stator-frequency,current-fault,error\n".to_owned() + &rows
+    };
+    for (cells, text) in
+        [(["0", "0x0500", "0x0500", ""], "F0500 "), (["0", "0", "1280", "1280"], "F0500 "), (["", "", "", ""], "fault")]
+    {
+        let plot = antrieb("plot {dir}/x.csv").file("x.csv", &record(cells)).json().exits(0);
+        assert!(plot.data("/marks/0/text").as_str().unwrap().starts_with(text), "{:#}", plot.value);
+    }
+}
+
+/// What is drawn is SVG, and no name makes anything else of it.
+#[test]
+fn a_name_that_promises_another_form_of_picture_is_refused() {
+    for name in ["x.png", "x.PDF"] {
+        let told =
+            antrieb(&format!("plot {{dir}}/record.csv --svg {{dir}}/{name}")).file("record.csv", RECORD).exits(2);
+        assert!(told.err.contains("ends with .svg") && !told.directory().join(name).exists(), "{}", told.err);
+    }
+    antrieb("plot {dir}/record.csv --svg {dir}/x").file("record.csv", RECORD).exits(0);
+}
+
 /// Where its status word was not asked, nobody can tell a coast from a setpoint of 0, and that is said; each way ends where its own
 /// setpoint was seen last.
 #[test]

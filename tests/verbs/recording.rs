@@ -271,6 +271,8 @@ fn a_trigger_has_a_name_in_the_project_file() {
     assert_eq!(records(&typed.out)[0]["waits"]["pre"], 3.0);
     let unknown = antrieb("-p sim monitor --trigger tripp").file("antrieb.toml", project).exits(2);
     assert!(unknown.err.contains("there is no trigger 'tripp' (`[triggers]` has: trip)"), "{}", unknown.err);
+    let none = antrieb("-a 1 monitor --trigger tripp --duration 1s").on(TRIPS).exits(2);
+    assert!(none.err.contains("'tripp', and no `[triggers]` in antrieb.toml"), "{}", none.err);
     let wrong = project.replace("\"1s\"", "\"soon\"");
     let wrong = antrieb("-p sim monitor --trigger trip").file("antrieb.toml", &wrong).exits(7);
     assert!(wrong.err.contains("triggers.trip: "), "{}", wrong.err);

@@ -92,6 +92,18 @@ fn a_page_has_everything_in_it_in_either_language() {
     }
 }
 
+/// Looked at in print: a table of few rows stays whole and with its picture, and nothing holds it to what comes behind it.
+#[test]
+fn in_print_a_short_table_stays_whole_and_with_its_picture() {
+    let told = antrieb("-a 1 report {dir}/page.html {dir}/page.md --count 5").on(BENCH).exits(0);
+    let page = told.text_of("page.html");
+    assert!(page.contains("table:not(:has(tbody tr:nth-child(7))) { break-inside: avoid; }"), "{page}");
+    assert!(!page.contains("tr:first-child") && !page.contains("figure + table"), "{page}");
+    // A line without a name is a line.
+    let text = told.text_of("page.md");
+    assert!(text.contains("\n______________________ ______") && !text.contains("\n: ___"), "{text}");
+}
+
 #[test]
 fn the_signature_is_that_of_the_saved_settings() {
     let saved = antrieb("-a 1 dataset save {dir}/saved.toml").on(BENCH).json().exits(0);
@@ -114,6 +126,18 @@ fn what_stands_in_the_way_is_told_before_anything_is_asked() {
         assert!(told.err.contains(word), "{}", told.err);
         assert!(told.sent().is_empty(), "{}", told.err);
         assert_eq!(told.text_of("old.html"), "precious");
+    }
+    // What is no record of a procedure is told in the language that was asked for, with nothing that `report` lacks.
+    for (file, lang, words) in [
+        ("{\"a\": 1}", "en", "line 1, column 4: unknown field `a`"),
+        ("{\"a\": 1}", "de", "Zeile 1, Spalte 4: unbekannter Schl\u{fc}ssel `a`"),
+        ("t,n\n", "de", "Zeile 1, Spalte 2: das ist kein JSON"),
+        ("{\"title\":", "de", "sie endet, bevor sie vollst\u{e4}ndig ist"),
+    ] {
+        let line = format!("-a 1 --lang {lang} report {{dir}}/new.html --procedure {{dir}}/p.json");
+        let told = antrieb(&line).file("p.json", file).on(BENCH).exits(7);
+        assert!(told.err.contains(words) && !told.err.contains("--force"), "{}", told.err);
+        assert!(lang == "en" || !told.err.contains("expected"), "{}", told.err);
     }
     let project = "[report]\nlogo = \"logo.svg\"\n";
     let told = antrieb("-a 1 report {dir}/new.html").file("antrieb.toml", project).file("logo.svg", "a text").on(BENCH);

@@ -79,6 +79,7 @@ impl Verb for Args {
 
 /// Draws and measures.
 pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
+    args.svg.as_deref().map_or(Ok(()), is_named_svg)?;
     if input::is_settings(&args.file) {
         return input::run(args, context);
     }
@@ -98,6 +99,23 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     }
     Ok(Outcome::of(Data::Plot(plot)))
 }
+
+/// Refuses a name that promises another form of picture.
+fn is_named_svg(path: &Path) -> Result<(), Failure> {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    if !ending.is_some_and(|ending| OTHERS.contains(&ending.as_str())) {
+        return Ok(());
+    }
+    let file = path.display();
+    let message = both!(
+        "expected a file that ends with .svg, got {file}: no other form is drawn",
+        "erwartet: eine Datei, die mit .svg endet; angegeben: {file}: eine andere Form wird nicht gezeichnet"
+    );
+    Err(Failure::new(Class::Usage, "usage.file", message))
+}
+
+/// Endings of other pictures and pages.
+const OTHERS: [&str; 9] = ["png", "jpg", "jpeg", "gif", "webp", "bmp", "tiff", "pdf", "html"];
 
 /// Every drive of a record that has something to draw, with its picture in SVG, the first of them the `nth` on its page.
 pub(super) fn every(args: &Args, registry: &Registry, lang: Lang, nth: usize) -> Result<Vec<(Plot, String)>, Failure> {
@@ -137,6 +155,8 @@ impl Args {
         let units = scene.units();
         let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), self.measure);
         let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0, &track.breaks()));
+        let unseen =
+            responses.iter().flat_map(|responses| unseen(&scene, &track.starts(), responses)).collect::<Vec<_>>();
         let is_blind = !track.has_state() && !responses.iter().all(Vec::is_empty);
         let plot = Plot {
             file: self.file.display().to_string(),
@@ -150,7 +170,7 @@ impl Args {
             responses,
             marks: scene.marks.iter().map(told).collect(),
             gaps: scene.gaps.iter().map(|(from, to)| PlotGap { from: *from, to: *to }).collect(),
-            notes: is_blind.then(stateless).into_iter().collect(),
+            notes: is_blind.then(stateless).into_iter().chain(unseen).collect(),
         };
         Ok((plot, scene))
     }
@@ -250,6 +270,26 @@ fn followed(scene: &Scene, band: f64, breaks: &[(f64, f64)]) -> Vec<PlotResponse
     };
     let stops: Vec<f64> = scene.marks.iter().filter(|mark| mark.kind == MarkKind::Stop).map(|mark| mark.t).collect();
     responses(setpoint, actual, (scene.from, scene.to), band, (&stops, breaks)).into_iter().map(told).collect()
+}
+
+/// Where the drive got power while its setpoint stood already, nothing tells how it followed that: the change was not seen.
+fn unseen(scene: &Scene, starts: &[(f64, f64)], responses: &[PlotResponse]) -> Vec<Text> {
+    let of = |part: Part| scene.curves.iter().find(|curve| curve.part == part);
+    let (Some(setpoint), Some(_)) = (of(Part::Setpoint), of(Part::Actual)) else { return Vec::new() };
+    let stands = |&(from, to): &(f64, f64)| {
+        let is_in = |t: f64| (from.max(scene.from)..=to.min(scene.to)).contains(&t);
+        let is_measured = responses.iter().any(|response| is_in(response.t));
+        let (t, value) = setpoint.points.iter().find_map(|(t, value)| Some((*t, value.filter(|_| is_in(*t))?)))?;
+        (value != 0.0 && !is_measured).then(|| {
+            let (unit, t) = (&setpoint.unit, format!("{t:.3}"));
+            both!(
+                "at {t} s the drive got power with a setpoint of {value} {unit} that stood already: how it followed that is not measured",
+                "bei {t} s bekam der Antrieb Spannung, und ein Sollwert von {value} {unit} stand schon an: wie er ihm folgte, ist nicht \
+                 gemessen"
+            )
+        })
+    };
+    starts.iter().filter_map(stands).collect()
 }
 
 fn told(mark: &crate::scope::Mark) -> PlotMark {

@@ -4,7 +4,7 @@ use crate::drive::describe;
 use crate::drive::motion::has_power;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::profile::{Family, Param, Registry};
+use crate::profile::{Family, Param, Registry, Role};
 use crate::scope::{Mark, MarkKind, Part, Stretch};
 use crate::text::{Text, both};
 use serde_json::Value;
@@ -42,6 +42,8 @@ struct Row {
     /// Its number.
     n: Option<u64>,
     state: Option<(String, Text)>,
+    /// The fault, where it was asked for.
+    fault: Option<Text>,
     is_gap: bool,
 }
 
@@ -157,7 +159,12 @@ impl Reader<'_> {
         let is_unheard = |told: &Value| told["error"]["code"].as_str().is_some_and(is_gap);
         let (t, is_gap) = (record["t"].as_f64()?, is_unheard(record) || values.iter().any(is_unheard));
         let until = values.iter().filter_map(|value| value["t"].as_f64()).fold(t, f64::max);
-        track.rows.push(Row { t, until, n: record["n"].as_u64(), state, is_gap });
+        let fault = family.as_ref().and_then(|family| {
+            let asked = family.role(Role::Fault)?.id;
+            let value = values.iter().find(|value| value["param"].as_u64() == Some(asked.into()))?;
+            told_fault(family, value["raw"].as_u64()?)
+        });
+        track.rows.push(Row { t, until, n: record["n"].as_u64(), state, fault, is_gap });
         for value in values {
             let (slug, set) = (value["slug"].as_str()?, value["data_set"].as_u64()?);
             let number = value["param"].as_u64()?;
@@ -206,7 +213,11 @@ impl Reader<'_> {
         if let Some(trigger) = cell("trigger") {
             track.marks.push(Mark { t, kind: MarkKind::Trigger, text: Text::name(trigger) });
         }
-        track.rows.push(Row { t, until: t, n: cell("n").and_then(|n| n.parse().ok()), state, is_gap });
+        let fault = family.as_ref().and_then(|family| {
+            let cell = cell(&family.role(Role::Fault)?.slug)?;
+            told_fault(family, cell.strip_prefix("0x").map_or(cell.parse(), |hex| u64::from_str_radix(hex, 16)).ok()?)
+        });
+        track.rows.push(Row { t, until: t, n: cell("n").and_then(|n| n.parse().ok()), state, fault, is_gap });
         // A raw value is none in its unit, and names of bits are none at all.
         for (key, cell) in values.filter(|(key, _)| !key.ends_with(".raw") && !key.ends_with("_bits")) {
             let (slug, set) =
@@ -255,12 +266,15 @@ impl Track {
     /// A fault that the states show and that no record of its own tells: a held run ends at it.
     fn note_faults(&mut self) {
         let (mut before, mut since) = (None, 0.0);
-        for row in &self.rows {
+        for (index, row) in self.rows.iter().enumerate() {
             let now = row.is_fault();
             let is_told = self.marks.iter().any(|mark| mark.kind == MarkKind::Fault && mark.t >= since);
             if before == Some(false) && now == Some(true) && !is_told {
                 let at = self.marks.iter().position(|mark| mark.t >= row.t).unwrap_or(self.marks.len());
-                self.marks.insert(at, Mark { t: row.t, kind: MarkKind::Fault, text: fault_word() });
+                // It may have been asked for in a round behind the one that shows it.
+                let lasts = self.rows.iter().skip(index).take_while(|row| row.is_fault() != Some(false));
+                let text = lasts.filter_map(|row| row.fault.clone()).next().unwrap_or_else(fault_word);
+                self.marks.insert(at, Mark { t: row.t, kind: MarkKind::Fault, text });
             }
             before = now.or(before);
             if now == Some(false) {
@@ -290,18 +304,22 @@ impl Track {
 
     /// Over these times nobody can tell how the drive followed its setpoint: nothing was kept, several rounds were not answered, or
     /// it followed none, in a fault or without power, which may show in the values of a round whose state does not show it yet. They
-    /// begin behind the last value that counts.
+    /// begin behind the last value that counts, and end a round before the power shows: a state that was read before it came stands
+    /// beside values that were read behind it.
     pub(super) fn breaks(&self) -> Vec<(f64, f64)> {
         let mut breaks: Vec<_> = self.holes().map(|(one, next)| (one.until, next.t)).collect();
         let mut ends = |ends: &dyn Fn(&Row) -> bool, least: usize, doubted: bool| {
-            let (mut last, mut count) = (None, 0);
+            let (mut last, mut count, first) = (None, 0, self.rows.first().map_or(0.0, |row| row.t));
             for (index, row) in self.rows.iter().enumerate() {
                 count = if ends(row) { count + 1 } else { 0 };
                 let before = || index.checked_sub(1).and_then(|before| self.rows.get(before)).map(|row| row.until);
                 match (count, last) {
                     (0, _) if doubted => last = before().or(Some(row.t)),
                     (0, _) => last = Some(row.until),
-                    (count, from) if count >= least => breaks.push((from.unwrap_or(row.t), row.t)),
+                    // The round before may still show what a coast did to the setpoint, the first of a record does not.
+                    (count, from)
+                        if doubted && self.is_next(index, ends) && count > 1 + usize::from(from.is_some()) => {}
+                    (count, from) if count >= least => breaks.push((from.unwrap_or(first), row.t)),
                     _ => {}
                 }
             }
@@ -309,6 +327,29 @@ impl Track {
         ends(&|row| row.is_gap, 3, false);
         ends(&Row::follows_none, 1, true);
         breaks
+    }
+
+    /// Whether a round is the last of its kind, kept between two others.
+    fn is_next(&self, index: usize, ends: &dyn Fn(&Row) -> bool) -> bool {
+        let before = index.checked_sub(1).and_then(|before| self.rows.get(before));
+        let (Some(before), Some(row), Some(next)) = (before, self.rows.get(index), self.rows.get(index + 1)) else {
+            return false;
+        };
+        !ends(next) && !next.is_gap && next.follows(row) && row.follows(before)
+    }
+
+    /// When the drive got power: from the last moment of which nothing is measured, to the end of the round that shows it.
+    pub(super) fn starts(&self) -> Vec<(f64, f64)> {
+        let breaks = self.breaks();
+        let begins =
+            |off: &Row| breaks.iter().map(|found| found.1).filter(|end| *end <= off.t).fold(off.t.min(0.0), f64::max);
+        let starts = self.rows.windows(2).filter_map(|pair| match pair {
+            [off, on] if off.follows_none() && on.state.is_some() && !on.follows_none() => {
+                Some((begins(off), on.until))
+            }
+            _ => None,
+        });
+        starts.collect()
     }
 
     /// From its first moment to its last one.
@@ -407,6 +448,10 @@ fn name(param: Option<&Param>, printed: &str, set: u64) -> Text {
 fn state_name(family: Option<&Family>, slug: &str, printed: &str) -> Text {
     let known = family.and_then(|family| family.states.iter().find(|state| state.slug == slug));
     known.map_or_else(|| Text::name(printed), |state| Text { en: state.en.clone().into(), de: state.de.clone().into() })
+}
+
+fn told_fault(family: &Family, code: u64) -> Option<Text> {
+    describe::fault(family, u32::try_from(code).ok()?).map(|fault| fault.told())
 }
 
 fn fault_word() -> Text {

@@ -6,8 +6,8 @@ use crate::command::output;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::ProcedureRecord;
-use crate::profile::Family;
 use crate::profile::procedure::Procedure;
+use crate::profile::{Family, stumbled_json};
 use crate::text::{Text, both};
 use std::path::Path;
 
@@ -16,7 +16,7 @@ use std::path::Path;
 /// # Errors
 /// A file is there that is no record.
 pub(super) fn kept(path: &Path) -> Result<Option<ProcedureRecord>, Failure> {
-    files::found(path).map(|_| read(path)).transpose()
+    files::found(path).map(|_| read(path).map_err(|failure| failure.hint(begin_anew()))).transpose()
 }
 
 /// The record to go on with: what was kept, or a new one.
@@ -72,8 +72,8 @@ pub(super) fn open(
 pub(in crate::command) fn read(path: &Path) -> Result<ProcedureRecord, Failure> {
     let text = files::read(path, files::TEXT).map_err(|error| wrong(path, &error.text()))?;
     let kept: ProcedureRecord = serde_json::from_str(&text).map_err(|error| {
-        wrong(path, &both!("no record of a procedure: {error}", "keine Aufzeichnung einer Prozedur: \"{error}\""))
-            .hint(begin_anew())
+        let why = stumbled_json(&error);
+        wrong(path, &both!("no record of a procedure: {why}", "keine Aufzeichnung einer Prozedur: {why}", why))
     })?;
     if kept.antrieb_procedure != ProcedureRecord::VERSION {
         let version = kept.antrieb_procedure;

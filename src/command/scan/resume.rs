@@ -5,6 +5,7 @@ use crate::drive::{Asked, Port};
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Scan, Search};
+use crate::profile::stumbled_json;
 use crate::text::{Text, both};
 use serde::Deserialize;
 use std::collections::BTreeSet;
@@ -29,7 +30,8 @@ pub(super) fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
     };
     let text = files::read(path, files::TEXT).map_err(|error| bad(error.text()))?;
     let document: Saved = serde_json::from_str(&text)
-        .map_err(|error| bad(both!("no result of a scan: {error}", "kein Ergebnis einer Suche: \"{error}\"")))?;
+        .map_err(|error| stumbled_json(&error))
+        .map_err(|why| bad(both!("no result of a scan: {why}", "kein Ergebnis einer Suche: {why}", why)))?;
     let version = crate::outcome::SCHEMA_VERSION;
     if document.schema != version {
         return Err(bad(both!(

@@ -19,6 +19,8 @@ const ROLLS: Span = Span::from_secs(3);
 pub(super) struct Still {
     /// The last frequency that was not 0, and since when it was that.
     last: Option<(Tick, i32)>,
+    /// When it was seen last.
+    sight: Tick,
     /// How far it fell before that, and in which time.
     fall: Option<(i32, Span)>,
     zeros: u32,
@@ -60,9 +62,17 @@ impl Still {
 
     fn turns(&mut self, now: Tick, frequency: i32) {
         (self.zeros, self.proven, self.rolls) = (0, false, false);
+        let sight = std::mem::replace(&mut self.sight, now);
         match self.last {
-            Some((_, last)) if last == frequency => return,
-            Some((at, last)) if last > frequency => self.fall = Some((last - frequency, now.since(at))),
+            Some((at, last)) if last == frequency => {
+                self.fall = self.fall.filter(|_| now.since(at) <= STEADY);
+                return;
+            }
+            Some((at, last)) if last > frequency => {
+                // Of a frequency that was held the ramp began behind its latest sight, of one on the way behind its first.
+                let began = if sight.since(at) > STEADY { sight } else { at };
+                self.fall = Some((last - frequency, now.since(began)));
+            }
             _ => self.fall = None,
         }
         self.last = Some((now, frequency));
@@ -136,6 +146,33 @@ mod tests {
         frequencies.extend([5_000; 40]);
         frequencies.push(0);
         assert_eq!(told(&frequencies, usize::MAX).standing(), None);
+    }
+
+    /// Where answers are garbled a ramp from a frequency that was held shows few others: the time of its fall is not that of the run.
+    #[test]
+    fn a_ramp_begins_behind_the_latest_sight_of_what_was_held() {
+        let seen = |behind: &[(u64, i32)]| {
+            let mut still = Still::new(60);
+            let held = (0..25).map(|nth| (nth * 200, 2_000));
+            for (at, hiw) in held.chain(behind.iter().map(|(at, hiw)| (4_800 + at, *hiw))) {
+                still.sees(
+                    Tick::ZERO + Span::from_millis(at),
+                    Seen { zsw: 0x0050, hiw, state: Some(u16::from(hiw != 0)) },
+                );
+            }
+            still.standing()
+        };
+        for (behind, standing) in [
+            (&[(200, 1_000), (400, 0), (425, 0), (450, 0)][..], Some(true)),
+            (&[(200, 1_400), (400, 800), (620, 150), (800, 0)], Some(true)),
+            // Let go on its way, or at speed.
+            (&[(200, 1_800), (400, 0)], None),
+            (&[(200, 0)], None),
+            // What is held lower down is on no ramp any more.
+            (&[(200, 900), (300, 500), (700, 500), (1_100, 500), (1_125, 0)], None),
+        ] {
+            assert_eq!(seen(behind), standing, "{behind:?}");
+        }
     }
 
     /// Of the Basic block: frequencies, 0.01 Hz, and states, every 25 ms.

@@ -257,6 +257,11 @@ pub(super) fn not_exchanging(address: u8, why: &Trouble, mode: Mode) -> Failure 
             "is it the GSD of this slave? `antrieb -a {address} profibus live` tells its diagnosis",
             "Ist es die GSD dieses Slaves? `antrieb -a {address} profibus live` nennt seine Diagnose"
         ),
+        _ if matches!(why, Trouble::Locked(_)) => both!(
+            "let the other master release it, or take that one off the line; `antrieb -a {address} profibus live` tells its diagnosis",
+            "den anderen Master sie freigeben lassen oder ihn von der Leitung nehmen; `antrieb -a {address} profibus live` nennt ihre \
+             Diagnose"
+        ),
         Mode::Profidrive(_) => both!(
             "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm, --gsd or --user-prm say; a module in Basic mode is run \
              with --mode basic and --drive; `antrieb -a {address} profibus live` tells its diagnosis",

@@ -10,8 +10,10 @@ use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{WriteResult, Written};
-use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text};
-use crate::profile::{DataSets, Family, Store, Type};
+use crate::profile::paramfile::{
+    At, FileFault, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text,
+};
+use crate::profile::{DataSets, Family, Goes, Store, Type};
 use crate::text::{Text, both};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -312,6 +314,7 @@ pub struct WayBack {
 fn way_back(file: &ParamFile, family: &Family) -> Result<(UndoSettings, WayBack), Failure> {
     let Some((undo, coming)) = file.undo.as_ref().zip(file.coming(family)) else { return Err(no_undo_file(file)) };
     let old = file.settings(family).map_err(|fault| broken(&fault))?;
+    old.iter().try_for_each(|it| was_loaded(it, family)).map_err(|fault| broken(&fault))?;
     let coming = coming.map_err(|fault| broken(&fault))?;
     let in_ram_alone = file.in_ram_alone(family).map_err(|fault| broken(&fault))?;
     let unproven = file.unproven(family).map_err(|fault| broken(&fault))?;
@@ -323,6 +326,21 @@ fn way_back(file: &ParamFile, family: &Family) -> Result<(UndoSettings, WayBack)
     let open = unproven.iter().map(|it| (it.param.id, wire(it.set))).collect();
     let way = WayBack { steps, from, in_ram_alone: in_ram_alone.clone(), unproven: open };
     Ok((UndoSettings { old, new: coming, store: undo.store, ram: in_ram_alone, unproven }, way))
+}
+
+/// Only what a load may write is taken back: a file is changed by anybody, and a control word that it brings would start the shaft.
+fn was_loaded(setting: &Setting, family: &Family) -> Result<(), FileFault> {
+    if family.files.goes(&setting.param) <= Goes::IfAsked {
+        return Ok(());
+    }
+    let why = both!(
+        "no load ever writes {label} ({called}), so it cannot be taken back",
+        "{label} ({called}) schreibt kein Laden, also lässt es sich nicht zurücknehmen",
+        label = setting.param.label(),
+        called = setting.param.called()
+    );
+    let hint = both!("take the line out; nothing was written", "die Zeile herausnehmen; es wurde nichts geschrieben");
+    Err(FileFault { at: setting.at.clone(), why, newer: false, hint: Some(Box::new(hint)) })
 }
 
 fn no_undo_file(file: &ParamFile) -> Failure {

@@ -53,6 +53,10 @@ impl Pace {
                 "because the line takes so long for what is asked",
                 "weil die Leitung für das Gefragte so lange braucht"
             ),
+            1 => both!(
+                "and one of the samples is a gap: who does not answer is waited for",
+                "und einer der Werte ist eine Lücke: wer nicht antwortet, auf den wird gewartet"
+            ),
             gaps => both!(
                 "and {gaps} of the samples are gaps: who does not answer is waited for",
                 "und {gaps} der Werte sind Lücken: wer nicht antwortet, auf den wird gewartet"
@@ -66,5 +70,27 @@ impl Pace {
                 why
             ),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_gap_is_told_as_one() {
+        let mut pace = Pace::default();
+        let wanted = Some(Span::from_millis(100));
+        (0..3).for_each(|nth| pace.begins(Tick::ZERO + Span::from_millis(nth * 400), Tick::ZERO, wanted));
+        let told = |gaps: u64| pace.warning(wanted, gaps).unwrap().message;
+        assert!(
+            told(1).en.ends_with("one of the samples is a gap: who does not answer is waited for"),
+            "{}",
+            told(1).en
+        );
+        assert!(
+            told(1).de.contains("einer der Werte ist eine L\u{fc}cke")
+                && told(2).en.contains("2 of the samples are gaps")
+        );
     }
 }

@@ -55,11 +55,14 @@ impl Page {
             head.extend(["unit", "equal"]);
             let rows = dataset.rows.iter().map(|row| {
                 let mut cells = vec![row.param.to_string(), self.say(&row.name)];
+                // Beside values in a unit a raw one says so itself.
+                let is_raw = !row.values.iter().any(|value| value.value.is_some());
                 cells.extend(row.values.iter().map(|value| match &value.error {
+                    None if is_unscaled(value) && !is_raw => format!("{} {}", self.word("raw"), number(value)),
                     None => number(value),
                     Some(error) => error.code.clone(),
                 }));
-                let is_raw = row.values.iter().any(is_unscaled);
+                let is_raw = is_raw && row.values.iter().any(is_unscaled);
                 cells.push(if is_raw { self.word("raw").to_owned() } else { row.unit.clone().unwrap_or_default() });
                 cells.push(self.word(if row.equal { "yes" } else { "no" }).to_owned());
                 cells

@@ -88,8 +88,8 @@ impl Page {
                 row.param.to_string(),
                 if row.data_set == 0 { String::new() } else { row.data_set.to_string() },
                 self.say(&row.name),
-                self.held(row.a_raw, row.a_value, row.a_text.as_ref()),
-                self.held(row.b_raw, row.b_value, row.b_text.as_ref()),
+                self.held((row.a_raw, row.a_value, row.a_text.as_ref()), row.b_value),
+                self.held((row.b_raw, row.b_value, row.b_text.as_ref()), row.a_value),
                 self.unit(row),
             ];
             cells.into_iter().chain(fails.then(|| why(row))).collect()
@@ -120,9 +120,15 @@ impl Page {
         format!("{} ({})", self.say(&side.name), parts.join(", "))
     }
 
-    pub(super) fn held(self, raw: Option<i64>, value: Option<Decimal>, text: Option<&Text>) -> String {
+    /// What one side holds: raw value, value, what it stands for. Beside a value in its unit a raw one says so itself.
+    pub(super) fn held(
+        self,
+        (raw, value, text): (Option<i64>, Option<Decimal>, Option<&Text>),
+        other: Option<Decimal>,
+    ) -> String {
         let number = match (value, raw) {
             (Some(value), _) => shown(value, false),
+            (None, Some(raw)) if other.is_some() => format!("{} {raw}", self.word("raw")),
             (None, Some(raw)) => raw.to_string(),
             (None, None) => "-".to_owned(),
         };

@@ -341,6 +341,29 @@ fn an_undo_file_of_a_hand_cuts_no_line_and_says_from_where_it_leads_back() {
     unnamed("--force").exits(0);
 }
 
+/// Whatever a hand has written into it: commands, setpoints, restarts and what only the drive tells were never loaded.
+#[test]
+fn an_undo_file_of_a_hand_brings_back_nothing_that_no_load_writes() {
+    for (row, word) in [("410 = 15", "P.410"), ("484 = 10", "P.484"), ("34 = 123", "P.34"), ("411 = 0", "P.411")] {
+        let memories = ["eeprom", "ram"].map(|memory| format!("memory = \"{memory}\"\n"));
+        for (memory, more) in memories.iter().flat_map(|memory| [(memory, ""), (memory, "--force")]) {
+            let text = format!(
+                "{}[undo]\n{memory}values = {{ {row}, \"480@2\" = 5 }}\n",
+                file(&format!("{row}\n\"480@2\" = 6"))
+            );
+            let run = antrieb(&format!("-a 1 --yes -v dataset undo {{dir}}/u.toml {more}"));
+            let told = run.on(FRESH).file("u.toml", &text).exits(7);
+            assert!(told.err.contains(word) && told.err.contains("no load ever writes"), "{row}: {}", told.err);
+            assert!(told.err.contains("u.toml:5"), "{}", told.err);
+            assert_eq!(writes(&told.sent()), 0, "{row}");
+        }
+    }
+    let servo = "antrieb = 1\n[drive]\nfamily = \"lxm05\"\n[values]\n6914 = 15\n[undo]\nvalues = { 6914 = 0 }\n";
+    let run = antrieb("-a 1 --yes --lang de dataset undo {dir}/u.toml").on("[[drive]]\nmodel = \"lxm05\"\n");
+    let told = run.file("u.toml", servo).exits(7);
+    assert!(told.err.contains("6914") && told.err.contains("schreibt kein Laden"), "{}", told.err);
+}
+
 #[test]
 fn a_check_names_what_the_drive_works_with_where_that_is_not_what_is_stored() {
     let check =

@@ -92,9 +92,9 @@ impl Page {
                 row.param.to_string(),
                 if row.data_set == 0 { String::new() } else { row.data_set.to_string() },
                 self.say(&row.name),
-                self.held(row.a_raw, row.a_value, row.a_text.as_ref()),
+                self.held((row.a_raw, row.a_value, row.a_text.as_ref()), row.b_value),
                 row.error.as_ref().map_or_else(
-                    || self.held(row.b_raw, row.b_value, row.b_text.as_ref()),
+                    || self.held((row.b_raw, row.b_value, row.b_text.as_ref()), row.a_value),
                     |error| self.say(&error.message),
                 ),
                 self.unit(row),

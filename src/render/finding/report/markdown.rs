@@ -34,11 +34,12 @@ fn print_block(block: &Block) -> String {
         }
         Block::Lines(lines) => {
             let row = |cells: &[String; 3]| {
-                cells
-                    .iter()
-                    .map(|cell| format!("{}: ______________________", escaped(cell)))
-                    .collect::<Vec<_>>()
-                    .join(" ")
+                let line = "______________________";
+                let named = |cell: &String| match cell.is_empty() {
+                    true => line.to_owned(),
+                    false => format!("{}: {line}", escaped(cell)),
+                };
+                cells.iter().map(named).collect::<Vec<_>>().join(" ")
             };
             lines.iter().map(|cells| format!("\n{}\n", row(cells))).collect()
         }
