@@ -111,6 +111,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return Ok(dry::run(&procedure, &given, &family, address, context.settings));
     }
     let record = record::open(&path, kept, &procedure, (address, &family), &given)?;
+    held::held(&path, &record, &procedure, &family)?;
     if let Some(rows) = all_done(&procedure, &record) {
         let told = guide::told(&record, rows, &path);
         return Ok(Outcome { data: Some(told), warnings: vec![nothing_left()], failure: None });

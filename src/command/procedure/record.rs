@@ -1,7 +1,6 @@
 //! The record of a procedure: a file that is written whole behind every step, and read again to go on.
 
 use super::given::Given;
-use super::held::held;
 use crate::command::output;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -22,7 +21,7 @@ pub(super) fn kept(path: &Path) -> Result<Option<ProcedureRecord>, Failure> {
 /// The record to go on with: what was kept, or a new one.
 ///
 /// # Errors
-/// What was kept is of something else, or would set back what it never set, or the file cannot be written.
+/// What was kept is of something else, or the file cannot be written.
 pub(super) fn open(
     path: &Path,
     kept: Option<ProcedureRecord>,
@@ -61,7 +60,6 @@ pub(super) fn open(
         let was = both!("it was begun with other values", "sie wurde mit anderen Werten begonnen");
         return Err(wrong(path, &was).hint(begin_anew()));
     }
-    held(path, &kept, procedure, family)?;
     Ok(kept)
 }
 
