@@ -19,6 +19,8 @@ use crate::tick::{Span, Tick};
 
 /// So long a frequency may stay as it is before something stronger is done, and then before the stop is given up.
 const STUCK: Span = Span::from_secs(10);
+/// So often what goes back is said again where nothing was answered.
+const SAID_AGAIN: u8 = 2;
 /// So long at least the stop of a motor goes out where nobody is heard.
 pub(super) const INSISTED: Span = Span::from_secs(6);
 /// So long a slave that is ours is led to its first exchange, so that the stop word comes to it.
@@ -255,7 +257,7 @@ impl Exchange<'_, '_> {
                 self.notes.push(trouble::loss_stays(new));
                 continue;
             }
-            self.set(place, old).await?;
+            self.sets_back(place, old).await?;
             let starts = place.pnu == RIGHT && self.starts_by_itself().await?;
             if starts {
                 self.notes.push(trouble::right_again());
@@ -289,6 +291,17 @@ impl Exchange<'_, '_> {
             }
         }
         Ok(false)
+    }
+
+    /// The same for what goes back: said again where nothing was answered, which a port that took no bytes for a while keeps back.
+    async fn sets_back(&mut self, place: Place, word: u16) -> Result<(), Failure> {
+        for _ in 0..SAID_AGAIN {
+            match self.set(place, word).await {
+                Err(failure) if failure.code == trouble::MUTE => {}
+                done => return done,
+            }
+        }
+        self.set(place, word).await
     }
 
     /// Writes a value and reads it back.

@@ -131,7 +131,7 @@ pub(super) fn told(address: u8, place: Place, told: Told) -> Result<u32, Failure
         ),
         Told::Silence => (
             Class::Silence,
-            "silence.pkw",
+            MUTE,
             both!(
                 "station {address} exchanges data, but does not answer for {label}",
                 "Station {address} tauscht Daten aus, antwortet aber nicht zu {label}"
@@ -161,6 +161,8 @@ pub(super) fn differs(address: u8, place: Place, bits: u32) -> Failure {
     Failure::new(Class::Refused, "refused.reads_back_differently", message).with("address", address)
 }
 
+/// A slave exchanges data and does not answer for a parameter.
+pub(super) const MUTE: &str = "silence.pkw";
 /// The motor was not seen standing.
 pub const NOT_STILL: &str = "forbidden.not_still";
 
