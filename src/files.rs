@@ -173,17 +173,43 @@ pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
 
 /// Writes a whole file, or nothing of it: what stands there is replaced only with `overwrite`, and only by all of the text.
 pub fn write_whole(path: &Path, text: &str, overwrite: bool) -> Result<(), FileError> {
-    may_be_written(path)?;
-    let (beside, mut file) = beside(path)?;
-    let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all()).map_err(FileError::from);
-    drop(file);
-    let placed = written.and_then(|()| match overwrite {
-        true => Ok(std::fs::rename(&beside, path)?),
-        false => place_new(&beside, path, |from, to| std::fs::hard_link(from, to)),
-    });
-    let _gone = std::fs::remove_file(&beside);
-    placed?;
+    let ready = Ready::write(path, text)?;
+    if overwrite {
+        return ready.replace();
+    }
+    place_new(&ready.beside, path, |from, to| std::fs::hard_link(from, to))?;
     Ok(keep_directory(path)?)
+}
+
+/// A whole text on the disk, beside the file that it may take the place of; dropped before, it is gone.
+#[derive(Debug)]
+pub struct Ready {
+    beside: PathBuf,
+    path: PathBuf,
+}
+
+impl Ready {
+    /// Writes it.
+    pub fn write(path: &Path, text: &str) -> Result<Self, FileError> {
+        may_be_written(path)?;
+        let (beside, mut file) = beside(path)?;
+        let ready = Ready { beside, path: path.to_owned() };
+        file.write_all(text.as_bytes()).and_then(|()| file.sync_all())?;
+        Ok(ready)
+    }
+
+    /// Takes the place of what stands there, which needs no room.
+    pub fn replace(self) -> Result<(), FileError> {
+        may_be_written(&self.path)?;
+        std::fs::rename(&self.beside, &self.path)?;
+        Ok(keep_directory(&self.path)?)
+    }
+}
+
+impl Drop for Ready {
+    fn drop(&mut self) {
+        let _gone = std::fs::remove_file(&self.beside);
+    }
 }
 
 /// Whether a file can be written at a path: nothing is there, or a regular file and no link.
@@ -267,6 +293,13 @@ pub fn remove(path: &Path) -> Result<(), FileError> {
         Err(error) => return Err(error.into()),
     }
     Ok(std::fs::remove_file(path)?)
+}
+
+/// Where a link leads, if it is one that a user made.
+pub fn leads_to(path: &Path) -> Option<PathBuf> {
+    let is_ours = ["/dev", "/proc"].iter().all(|folder| !path.starts_with(folder));
+    let target = is_ours.then(|| std::fs::read_link(path).ok())??;
+    Some(path.parent().unwrap_or(Path::new("")).join(target))
 }
 
 /// Whether something stands at a path, and if so whether it is a directory.

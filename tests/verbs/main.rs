@@ -52,6 +52,7 @@ mod parameters {
     mod transactions;
     mod truth;
     mod undo_places;
+    mod unproven;
     mod worked;
     mod writing;
 }

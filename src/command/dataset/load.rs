@@ -175,6 +175,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let (forbidding, theirs): (Vec<Failure>, _) =
         std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == transaction::RUNNING);
     plan.failures = forbidding;
+    plan.failures.extend(transaction::make_ready(&plan, &left).err());
     if let Some(failure) = forbidden(&mut plan, &nothing_written()) {
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());

@@ -3,7 +3,7 @@
 use crate::command::again::word;
 use crate::command::{Context, terms, write};
 use crate::drive::job::{self, Step};
-use crate::drive::transaction::{Applied, CUTS, NOT_SHOWN, Plan, SET, STORE, THEIRS, switch_off};
+use crate::drive::transaction::{Applied, CUTS, NOT_SHOWN, Plan, SET, STORE, THEIRS, UNDO_FILE, switch_off};
 use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult, Written};
@@ -329,6 +329,9 @@ fn by_undo(left: &Path, kinds: &[String], is_lost: bool) -> Text {
     if !kinds.is_empty() && kinds.iter().all(|code| code == NOT_SHOWN) {
         return switch_off();
     }
+    if kinds.iter().any(|code| code == UNDO_FILE) {
+        return behind_power(left);
+    }
     if kinds.iter().any(|code| code == THEIRS) {
         return both!(
             "what somebody has changed stays: `antrieb dataset undo {file}` brings back the rest, with --force that too",
@@ -406,13 +409,24 @@ fn once_more(file: &Path) -> Text {
     )
 }
 
+/// The same where the file could not keep it: what is stored shows once the RAM is gone.
+fn behind_power(file: &Path) -> Text {
+    both!(
+        "the file could not keep that: switch the drive off and on, so that it tells what is stored, then `antrieb dataset undo {file}`",
+        "die Datei konnte das nicht behalten: den Antrieb aus- und einschalten, damit er das Gespeicherte zeigt, dann `antrieb dataset \
+         undo {file}`",
+        file = word(&file.display().to_string())
+    )
+}
+
 /// Why not everything is as it was, and the file that takes it back later.
 pub(in crate::command) fn not_all_back(failures: Vec<Failure>, file: &Path) -> Option<Failure> {
     let count = places(failures.iter());
+    let is_kept = failures.iter().all(|failure| failure.code != UNDO_FILE);
     let first = failures.into_iter().next()?;
     let message = unlike(&first.message, count);
     let failure = Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first };
-    Some(failure.hint(once_more(file)))
+    Some(failure.hint(if is_kept { once_more(file) } else { behind_power(file) }))
 }
 
 fn unchanged(failure: Failure) -> Failure {
@@ -420,14 +434,14 @@ fn unchanged(failure: Failure) -> Failure {
     Failure { message: both!("{why}; nothing was changed", "{why}; es wurde nichts geändert", why), ..failure }
 }
 
-/// How many values failures are about: of one, what is stored and what is in force may each be named.
+/// How many values failures are about: of one, what is stored and what is in force may each be named. A file is none.
 fn places<'f>(failures: impl Iterator<Item = &'f Failure>) -> usize {
     let fact = |failure: &Failure, name| failure.context.iter().find(|(key, _)| *key == name).map(|(_, it)| it.clone());
     let of = |(nth, failure): (usize, &Failure)| match (fact(failure, "param"), fact(failure, SET)) {
         (Some(param), Some(set)) => (param, set),
         _ => (String::new(), nth.to_string()),
     };
-    failures.enumerate().map(of).collect::<BTreeSet<_>>().len()
+    failures.filter(|failure| failure.code != UNDO_FILE).enumerate().map(of).collect::<BTreeSet<_>>().len()
 }
 
 fn unlike(why: &Text, count: usize) -> Text {

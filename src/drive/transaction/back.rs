@@ -3,12 +3,13 @@
 //! At once, when a transaction fails ([`put_back`]), or later, from its undo file ([`undo`]).
 
 use super::ended::{Applied, untouched};
-use super::meanwhile::{THEIRS, covers, is_ours, still_may};
-use super::plan::{Kept, Plan, is_behind, is_doubted, is_touched};
+use super::meanwhile::{THEIRS, is_ours, still_may};
+use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::progress::{Doing, progress};
 use super::proof::{in_force, look};
 use super::running::RUNNING;
 use super::undo_file::UndoFile;
+use super::unproven::open;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{stands, stands_at};
 use crate::drive::{AccessError, Order, Session, WriteFate, is_over};
@@ -137,9 +138,9 @@ async fn restore_all(
     (permit, file): (&Permit<Writing>, &UndoFile),
     mut way: Way,
 ) -> Way {
-    let mut unproven: Vec<Kept> = order.iter().filter(|kept| plan.may_come_back_in_ram_alone(kept)).cloned().collect();
-    // Where the file cannot be written the values go back all the same.
-    let _ = file.keep_unproven(&unproven);
+    let mut open = open(plan, order);
+    // Where the file cannot be written the values go back all the same; what did not come is told at the end.
+    let _ = file.note(&open);
     let (mut back, mut torn) = (Vec::new(), Vec::new());
     for (done, kept) in (0..).zip(order) {
         session.tell(progress(Doing::PutsBack, done, order.len(), &kept.param));
@@ -167,16 +168,15 @@ async fn restore_all(
             Err(failure) if failure.code == THEIRS => {}
             Err(failure) => {
                 // What is stored as before was not written.
-                unproven.retain(|open| failure.code != NOT_SHOWN || !open.is_at(kept));
+                open.retain(|open| failure.code != NOT_SHOWN || !open.is_at(kept));
                 torn.push(kept);
             }
         }
         way.failures.extend(told(plan, kept, result));
     }
     let seen = look_back(session, plan, &back, &mut way).await;
-    let is_back = |kept: &Kept| back.iter().zip(&seen).any(|(back, seen)| back.is_at(kept) && seen.is_ok());
-    unproven.retain(|kept| !is_back(kept));
-    way.failures.extend(file.keep_unproven(&unproven).err().filter(|_| !unproven.is_empty()));
+    let proven: Vec<&Kept> = back.iter().zip(&seen).filter(|(_, seen)| seen.is_ok()).map(|(kept, _)| kept).collect();
+    way.failures.extend(file.strike(&open, &proven).err());
     let wrong = back.iter().zip(seen).filter_map(|(kept, seen)| told(plan, kept, Err(seen.err()?)));
     way.failures.extend(wrong);
     way
@@ -301,28 +301,6 @@ async fn restore(
         Some(failure) => Err(failure),
         None if is_blind && came == Came::Stood => Err(unshown(kept)),
         None => Ok(came),
-    }
-}
-
-impl Plan {
-    /// Whether this value, of what is stored, may be written: a drive that may tell its RAM as stored would hide from a later look that its
-    /// EEPROM did not take it.
-    fn may_come_back_in_ram_alone(&self, kept: &Kept) -> bool {
-        let is_equal = |(step, row): (&Step, &Written)| row.result == WriteResult::Unchanged && kept.is_of(step);
-        let stays = self.altering().next().is_none() && self.job.steps.iter().zip(&self.job.rows).any(is_equal);
-        !self.tells_apart && kept.set < DataSets::RAM_OFFSET && !stays
-    }
-
-    /// Whether a drive that may tell its RAM as stored has taken another value than it tells: it acknowledged one, or did not take
-    /// the old one back.
-    fn may_hide(&self, kept: &Kept) -> bool {
-        let is_its = |(step, row): (&Step, &Written)| row.result == WriteResult::Differs && kept.is_of(step);
-        let doubts = |(step, row): (&Step, &Written)| {
-            step.param.id == kept.param.id && covers(step.set, kept.set) && is_doubted(row)
-        };
-        let is_shown = self.in_force.iter().any(|ram| ram.param.id == kept.param.id);
-        let rows = || self.job.steps.iter().zip(&self.job.rows);
-        !self.tells_apart && (is_shown && rows().any(is_its) || rows().any(doubts))
     }
 }
 
@@ -451,6 +429,21 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
     }
 }
 
+/// What an undo brings back, in its order.
+pub(super) fn undo_order(plan: &Plan) -> Vec<Kept> {
+    let rows = plan.job.steps.iter().zip(&plan.job.rows);
+    let todo = rows.filter(|(_, row)| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged));
+    back_sorted(todo.map(|(step, _)| Kept::wanted(step)).collect(), &plan.job.target.family.files)
+}
+
+/// Tries, before anybody is asked, whether the file will take what an undo has to note in it.
+///
+/// # Errors
+/// It cannot be rewritten: then nothing may be written to the drive.
+pub fn make_ready(plan: &Plan, file: &UndoFile) -> Result<(), Failure> {
+    file.make_ready(open(plan, &undo_order(plan)).iter().map(Kept::setting))
+}
+
 /// Takes back what an undo file states: each planned value is brought back, proven. What fails does not stop the others, and stands in
 /// the file.
 pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>, left: &UndoFile) -> Applied {
@@ -458,10 +451,11 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
         return untouched(plan, failure);
     }
     let before = plan.job.rows.clone();
-    let rows = plan.job.steps.iter().zip(&plan.job.rows);
-    let todo = rows.filter(|(_, row)| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged));
-    let order = todo.map(|(step, _)| Kept::wanted(step)).collect();
-    let order = back_sorted(order, &plan.job.target.family.files);
+    let order = undo_order(plan);
+    // What could not be noted would be forgotten: nothing is written then.
+    if let Err(failure) = left.note(&open(plan, &order)) {
+        return untouched(plan, failure);
+    }
     let Way { mut failures, is_begun, over, runs, .. } =
         restore_all(session, plan, &order, (permit, left), Way::default()).await;
     if let (Some(why), false) = (over.clone().or(runs), is_begun) {

@@ -3,7 +3,7 @@
 use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::progress::{Doing, progress};
 use super::running::standstill;
-use super::weigh::place;
+use super::weigh::{covers, place};
 use crate::drive::Session;
 use crate::drive::job::Step;
 use crate::drive::stands::{in_ram, ram_stands, stands};
@@ -163,12 +163,6 @@ impl Plan {
             || self.in_force.iter().any(stood)
             || self.beneath.iter().any(loses)
     }
-}
-
-/// Whether two data sets as on the wire have a cell in common.
-pub(super) fn covers(one: u8, other: u8) -> bool {
-    let is_ram = |set: u8| set >= DataSets::RAM_OFFSET;
-    is_ram(one) == is_ram(other) && (one == other || one.is_multiple_of(5) || other.is_multiple_of(5))
 }
 
 /// Whether a place is in the RAM, and this stored one beneath it.

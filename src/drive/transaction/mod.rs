@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! settings -> Choice::steps -> plan -> UndoPlace::check -> (question, permit) -> UndoPlace::leave -> apply -> done, or put back
-//! undo file -> plan_back -> (question, permit) -> undo
+//! undo file -> plan_back -> make_ready -> (question, permit) -> undo
 //! ```
 
 mod apply;
@@ -17,14 +17,15 @@ mod progress;
 mod proof;
 mod running;
 mod undo_file;
+mod unproven;
 mod weigh;
 
 pub use apply::apply;
-pub use back::{NOT_SHOWN, SET, STORE, switch_off, take_back, undo};
+pub use back::{NOT_SHOWN, SET, STORE, make_ready, switch_off, take_back, undo};
 pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;
 pub use meanwhile::{THEIRS, still_may};
 pub use plan::{Plan, plan};
 pub use running::RUNNING;
-pub use undo_file::{UndoFile, UndoPlace, WayBack, plan_back};
+pub use undo_file::{UNDO_FILE, UndoFile, UndoPlace, WayBack, plan_back};
 pub use weigh::{CUTS, Coming, Unproven, fits};

@@ -3,7 +3,7 @@
 use super::choice::in_sets;
 use super::progress::{Doing, progress};
 use super::running::{Shaft, standstill};
-use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, unread_in_ram, unwatched, weigh};
+use super::weigh::{Purpose, Unproven, differs_in_ram, not_in_force, unread, unread_in_ram, unwatched, weigh};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{has_ram, lacking, ram_stands, stands};
 use crate::drive::{Session, Target, Terms, describe, is_over};
@@ -32,6 +32,8 @@ pub struct Plan {
     pub(super) shaft: Shaft,
     /// Places whose RAM may have taken what the EEPROM did not, and of which the drive does not show the RAM.
     pub(super) blind: Vec<Kept>,
+    /// Places of which an earlier way back left open whether the drive has taken them.
+    pub(super) unproven: Unproven,
     /// What whoever is asked must know besides.
     pub notes: Vec<Text>,
     /// That only what is stored can be proven, because the drive does not show its RAM.
@@ -221,6 +223,7 @@ impl Plan {
             tells_apart: false,
             shaft: Shaft::default(),
             blind: Vec::new(),
+            unproven: Unproven::default(),
             notes: Vec::new(),
             failures,
             eeprom_writes: 0,

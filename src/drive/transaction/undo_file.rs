@@ -24,10 +24,13 @@ use std::rc::Rc;
 pub struct UndoFile {
     path: PathBuf,
     head: Head,
+    /// What it said at first.
     settings: UndoSettings,
     family: Rc<Family>,
     /// What stands in it as not proven.
     unproven: RefCell<Settings>,
+    /// All that may have to stand there, on the disk before anything is written to the drive: then it needs no room.
+    ready: RefCell<Option<(files::Ready, Settings)>>,
 }
 
 /// Where an undo file goes.
@@ -55,26 +58,79 @@ impl UndoFile {
     pub fn read(path: &Path, file: &ParamFile, family: &Rc<Family>) -> Result<(Self, WayBack), Failure> {
         let (settings, way) = way_back(file, family)?;
         let (path, head, family) = (path.to_owned(), file.head.clone(), family.clone());
-        let unproven = RefCell::new(settings.unproven.clone());
-        Ok((UndoFile { path, head, settings, family, unproven }, way))
+        Ok((Self::new(path, head, settings, family), way))
     }
 
-    /// Says in it which values the drive perhaps did not take back: it may tell its RAM as stored, so that a later look would not find
+    fn new(path: PathBuf, head: Head, settings: UndoSettings, family: Rc<Family>) -> Self {
+        let unproven = RefCell::new(settings.unproven.clone());
+        UndoFile { path, head, settings, family, unproven, ready: RefCell::default() }
+    }
+
+    /// Puts on the disk what a way back may have to note of these places.
+    ///
+    /// # Errors
+    /// The disk does not take it, or the file may not be replaced.
+    pub(super) fn make_ready(&self, places: impl Iterator<Item = Setting>) -> Result<(), Failure> {
+        let all = self.with(places);
+        if !holds(&self.unproven.borrow(), &all) {
+            let ready = files::Ready::write(&self.path, &self.text(&all));
+            *self.ready.borrow_mut() = Some((ready.map_err(|error| unkept(&self.path, &error))?, all));
+        }
+        Ok(())
+    }
+
+    /// Says in it which values the drive perhaps will not take back: it may tell its RAM as stored, so that a later look would not find
     /// them. What stands there already is not written again.
     ///
     /// # Errors
     /// The disk does not take it; the file stands as before.
-    pub(super) fn keep_unproven(&self, places: &[Kept]) -> Result<(), Failure> {
-        let unproven: Settings = places.iter().map(Kept::setting).collect();
-        let stated = |settings: &Settings| settings.iter().map(|it| (it.param.id, it.set, it.raw)).collect::<Vec<_>>();
-        if stated(&self.unproven.borrow()) == stated(&unproven) {
+    pub(super) fn note(&self, open: &[Kept]) -> Result<(), Failure> {
+        self.keep(self.with(open.iter().map(Kept::setting)))?;
+        // From now on it says all that it may have to.
+        self.ready.take();
+        Ok(())
+    }
+
+    /// Says in it what did not come back: of what was open in this run and before, all but what was proven.
+    ///
+    /// # Errors
+    /// As [`UndoFile::note`]; where it says more than it would have to, it may stay.
+    pub(super) fn strike(&self, open: &[Kept], proven: &[&Kept]) -> Result<(), Failure> {
+        self.keep(without(self.with(open.iter().map(Kept::setting)), proven))
+    }
+
+    /// What it stated at first as not proven, and these.
+    fn with(&self, places: impl Iterator<Item = Setting>) -> Settings {
+        let mut all = self.settings.unproven.clone();
+        places.for_each(|place| drop(all.insert(place)));
+        all
+    }
+
+    fn keep(&self, unproven: Settings) -> Result<(), Failure> {
+        let mut stated = self.unproven.borrow_mut();
+        if holds(&stated, &unproven) && holds(&unproven, &stated) {
             return Ok(());
         }
-        let settings = UndoSettings { unproven, ..self.settings.clone() };
-        let text = print_undo(&self.head, &settings, &self.family);
-        files::write_whole(&self.path, &text, true).map_err(|error| unwritten(&self.path, &error))?;
-        *self.unproven.borrow_mut() = settings.unproven;
-        Ok(())
+        let error = match files::write_whole(&self.path, &self.text(&unproven), true) {
+            Ok(()) => {
+                *stated = unproven;
+                return Ok(());
+            }
+            Err(error) => error,
+        };
+        if !holds(&stated, &unproven)
+            && let Some((ready, all)) = self.ready.borrow_mut().take()
+            && ready.replace().is_ok()
+        {
+            *stated = all;
+        }
+        if holds(&stated, &unproven) { Ok(()) } else { Err(unkept(&self.path, &error)) }
+    }
+
+    /// The text with these as not proven.
+    fn text(&self, unproven: &Settings) -> String {
+        let settings = UndoSettings { unproven: unproven.clone(), ..self.settings.clone() };
+        print_undo(&self.head, &settings, &self.family)
     }
 
     /// Itself, unless nothing was written: then it is of no use, and is taken away.
@@ -115,7 +171,16 @@ impl UndoPlace {
         let family = plan.job.target.family.clone();
         let text = print_undo(&head, &settings, &family);
         let path = self.first_free(|path| files::write_whole(path, &text, false))?;
-        Ok(UndoFile { path, head, settings, family, unproven: RefCell::default() })
+        let file = UndoFile::new(path, head, settings, family);
+        let is_open = !plan.tells_apart && file.settings.store == Store::Eeprom;
+        let ready = if is_open { file.make_ready(file.settings.old.iter().cloned()) } else { Ok(()) };
+        match ready {
+            Ok(()) => Ok(file),
+            Err(failure) => {
+                file.unless(true);
+                Err(failure)
+            }
+        }
     }
 
     /// The first of its names that nobody has and `take` takes.
@@ -143,6 +208,48 @@ impl UndoPlace {
     }
 }
 
+/// Whether one states all that the other does.
+fn holds(stated: &Settings, all: &Settings) -> bool {
+    all.iter().all(|it| stated.exactly(it.param.id, it.set).is_some_and(|own| own.raw == it.raw))
+}
+
+/// Without what has come back, of these: of four data sets in one, each of them.
+fn without(mut open: Settings, back: &[&Kept]) -> Settings {
+    let is_back = |id: u32, set: u8| back.iter().any(|kept| (kept.param.id, kept.set) == (id, set));
+    let has_come = |Setting { param, set, .. }: &Setting| {
+        [*set, 0].into_iter().any(|set| is_back(param.id, set))
+            || *set == 0 && (1..DataSets::RAM_OFFSET).all(|set| is_back(param.id, set))
+    };
+    open.retain(|open| !has_come(open));
+    open
+}
+
+/// The code of an undo file that cannot be written or rewritten.
+pub const UNDO_FILE: &str = "data.undo_file";
+
+/// What could not be noted would be forgotten: a later undo would take for done what the drive did not take back.
+fn unkept(path: &Path, error: &FileError) -> Failure {
+    let message = both!(
+        "{path}: this undo file cannot be rewritten: {why}; it has to keep what the drive does not take back",
+        "{path}: diese Datei zum Zurücknehmen lässt sich nicht neu schreiben: {why}; sie muss behalten, was der Antrieb nicht zurücknimmt",
+        path = path.display(),
+        why = error.text()
+    );
+    let hint = match files::leads_to(path) {
+        Some(file) => both!(
+            "the file itself: `antrieb dataset undo {file}`",
+            "die Datei selbst: `antrieb dataset undo {file}`",
+            file = file.display()
+        ),
+        None => both!(
+            "copy {path} into a folder that takes files and has room, and undo the copy",
+            "{path} in einen Ordner kopieren, der Dateien annimmt und Platz hat, und mit der Kopie zurücknehmen",
+            path = path.display()
+        ),
+    };
+    Failure::new(Class::Data, UNDO_FILE, message).hint(hint)
+}
+
 fn unwritten(path: &Path, error: &FileError) -> Failure {
     let message = both!(
         "{path}: the undo file cannot be written: {why}",
@@ -150,7 +257,7 @@ fn unwritten(path: &Path, error: &FileError) -> Failure {
         path = path.display(),
         why = error.text()
     );
-    Failure::new(Class::Data, "data.undo_file", message)
+    Failure::new(Class::Data, UNDO_FILE, message)
 }
 
 impl Plan {
@@ -198,7 +305,7 @@ impl Plan {
 
 impl Kept {
     /// The same as a line of a file.
-    fn setting(&self) -> Setting {
+    pub(super) fn setting(&self) -> Setting {
         let Kept { param, set, raw } = self;
         Setting { param: param.clone(), set: set % DataSets::RAM_OFFSET, raw: *raw, kind: None, at: nowhere() }
     }
@@ -218,7 +325,8 @@ pub async fn plan_back(
     terms: &Terms<'_>,
     WayBack { steps, from, in_ram_alone, unproven }: WayBack,
 ) -> Result<Plan, Failure> {
-    let mut plan = prepare(session, target, terms, steps, &Purpose::Back { from, unproven }).await?;
+    let purpose = Purpose::Back { from, unproven: unproven.clone() };
+    let mut plan = Plan { unproven, ..prepare(session, target, terms, steps, &purpose).await? };
     plan.notes.extend(plan.job.rows.iter().any(is_doubted).then(not_taken_back));
     plan.note_lost(session, &in_ram_alone).await?;
     Ok(plan)
@@ -354,3 +462,6 @@ fn no_undo_file(file: &ParamFile) -> Failure {
         "`antrieb dataset load` legt eine an, bevor es schreibt; `dataset load` schreibt eine Parameterdatei"
     ))
 }
+
+#[cfg(test)]
+mod tests;

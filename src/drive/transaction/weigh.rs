@@ -52,7 +52,7 @@ impl Purpose {
     /// Whether a place is written also where the drive tells what it shall hold.
     fn doubts(&self, step: &Step) -> bool {
         let Purpose::Back { unproven, .. } = self else { return false };
-        stated(step).iter().any(|place| unproven.contains(place))
+        unproven.iter().any(|(id, set)| *id == step.param.id && covers(*set, step.set))
     }
 
     /// Whether a value that does not come keeps nobody from bringing the others.
@@ -65,6 +65,12 @@ impl Purpose {
 fn stated(step: &Step) -> [(u32, u8); 2] {
     let all = step.set - step.set % DataSets::RAM_OFFSET;
     [step.set, all].map(|set| (step.param.id, set))
+}
+
+/// Whether two data sets as on the wire have a cell in common.
+pub(super) fn covers(one: u8, other: u8) -> bool {
+    let is_ram = |set: u8| set >= DataSets::RAM_OFFSET;
+    is_ram(one) == is_ram(other) && (one == other || one.is_multiple_of(5) || other.is_multiple_of(5))
 }
 
 /// The row of a value, and why it cannot be written.

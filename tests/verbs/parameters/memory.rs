@@ -16,32 +16,32 @@ fn bench(keys: &str) -> String {
     format!("[[drive]]\nmodel = \"act\"\n{keys}\n")
 }
 
-fn load(keys: &str, values: &str) -> Run {
+pub(super) fn load(keys: &str, values: &str) -> Run {
     antrieb("-a 1 --yes -v dataset load {dir}/f.toml").on(&bench(keys)).file("f.toml", &file(values))
 }
 
 /// The bench that a run has left.
-struct Left(Bench, Tick);
+pub(super) struct Left(pub(super) Bench, pub(super) Tick);
 
-fn left() -> Left {
+pub(super) fn left() -> Left {
     let (bench, at) = witness::left().unwrap();
     Left(bench, at)
 }
 
 impl Left {
     /// EEPROM and RAM of a cell of the only drive.
-    fn cell(&self, number: u32, set: u8) -> (Option<i64>, Option<i64>) {
+    pub(super) fn cell(&self, number: u32, set: u8) -> (Option<i64>, Option<i64>) {
         let drive = self.0.drives().next().unwrap();
         (drive.eeprom(number, set), drive.ram(number, set))
     }
 
     /// Writes to the EEPROM.
-    fn worn(&self) -> u64 {
+    pub(super) fn worn(&self) -> u64 {
         self.0.totals().eeprom_writes
     }
 
     /// Another command on it, in the directory of the last one.
-    fn then(self, ended: Output, line: &str) -> Run {
+    pub(super) fn then(self, ended: Output, line: &str) -> Run {
         witness::stands(self.0, self.1);
         ended.then(&format!("-p sim:{{dir}}/bench.toml {line}"))
     }
