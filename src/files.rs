@@ -201,9 +201,26 @@ impl Ready {
     /// Takes the place of what stands there, which needs no room.
     pub fn replace(self) -> Result<(), FileError> {
         may_be_written(&self.path)?;
+        self.keeps_owner_and_mode();
         std::fs::rename(&self.beside, &self.path)?;
         Ok(keep_directory(&self.path)?)
     }
+}
+
+#[cfg(unix)]
+impl Ready {
+    /// Whose file it was, and who may read it, as far as the system lets us.
+    fn keeps_owner_and_mode(&self) {
+        use std::os::unix::fs::{MetadataExt, chown};
+        let Ok(old) = std::fs::metadata(&self.path) else { return };
+        let _not_ours = chown(&self.beside, Some(old.uid()), Some(old.gid()));
+        let _not_ours = std::fs::set_permissions(&self.beside, old.permissions());
+    }
+}
+
+#[cfg(not(unix))]
+impl Ready {
+    fn keeps_owner_and_mode(&self) {}
 }
 
 impl Drop for Ready {

@@ -43,6 +43,19 @@ impl Session<'_> {
         Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard, taken: None }))
     }
 
+    /// Before the first write to a station, what an earlier master has left there: a drive that has refused takes no write until it
+    /// was asked why (VABus; facts: seed 002), and would give that old cause for ours. What must not wait finds it out itself.
+    pub(super) async fn unlock(&mut self, route: Route, family: &Family) -> Result<(), AccessError> {
+        let Some(question) = route.unlocks(family).filter(|_| !self.is_insisting()) else { return Ok(()) };
+        if self.is_first_write(route.address) {
+            match self.ask_once(route, question).await {
+                Err(AccessError::Exchange(_)) | Ok(_) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
     /// Asks why the drive said no, and tells whether the answer was lost.
     async fn cause(
         &mut self,

@@ -178,6 +178,11 @@ impl Route {
         }
     }
 
+    /// The question without whose answer no write is taken behind a refusal, where there is one.
+    pub(super) fn unlocks(self, family: &Family) -> Option<Question> {
+        (self.protocol == Protocol::Vabus).then(|| self.cause(family, No::Nak)).flatten()
+    }
+
     /// The question that tells why the drive said no, if this no has a cause that can be asked for.
     pub(super) fn cause(self, family: &Family, no: No) -> Option<Question> {
         let told = match (self.way, no) {

@@ -70,7 +70,7 @@ pub struct Session<'a> {
     twins: BTreeSet<u8>,
     /// What is told where nobody answers for long.
     warns: Option<unanswered::Warns>,
-    mute: unanswered::Mute,
+    known: unanswered::Known,
     /// What is heard on a CAN bus, whomever it is for.
     heard: Option<can::Heard>,
     /// The same, where nobody is asked.
@@ -145,7 +145,7 @@ impl<'a> Session<'a> {
             unanswered: None,
             twins: BTreeSet::new(),
             warns: None,
-            mute: unanswered::Mute::default(),
+            known: unanswered::Known::default(),
             heard: None,
             ears: None,
         }

@@ -65,6 +65,7 @@ impl Target {
             session.ask(self.address, plain).await?;
             return Ok(WriteFate::Broadcast);
         }
+        session.unlock(route, &self.family).await?;
         let both =
             route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
         let mut question = both.unwrap_or_else(|| plain.clone());

@@ -5,7 +5,7 @@ use crate::exchange::{Answer, ExchangeError, Question};
 use crate::outcome::Event;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Without a valid answer for so long it is said.
 const LONG: Span = Span::from_secs(2);
@@ -19,26 +19,29 @@ pub(super) struct Warns {
     since: Tick,
 }
 
-/// Stations behind a gateway, and why the first value that was asked of each brought no answer; `None`: it has answered.
-///
-/// A gateway waits for its station itself and says so if that does not answer (exception 0B, V1.1b3 7): who never said a word within
-/// the longest time that a question has will not say one to the next.
+/// What is known of the stations that are talked to.
 #[derive(Debug, Default)]
-pub(super) struct Mute {
-    stations: BTreeMap<u8, Option<ExchangeError>>,
+pub(super) struct Known {
+    /// Behind a gateway: why the first value that was asked of each brought no answer; `None`: it has answered.
+    ///
+    /// A gateway waits for its station itself and says so if that does not answer (exception 0B, V1.1b3 7): who never said a word within
+    /// the longest time that a question has will not say one to the next.
+    mute: BTreeMap<u8, Option<ExchangeError>>,
     asks_on: bool,
+    /// Something was written to these.
+    written: BTreeSet<u8>,
 }
 
 impl Session<'_> {
     /// From now on who has never answered is asked again all the same: for what counts that, or waits for it.
     pub(in crate::drive) fn asks_on(&mut self) {
-        self.mute.asks_on = true;
+        self.known.asks_on = true;
     }
 
     /// Why a station is not asked again. What must be sent is sent all the same.
     pub(in crate::drive) fn is_mute(&self, station: u8) -> Option<ExchangeError> {
-        let asks = self.insists || self.mute.asks_on;
-        self.mute.stations.get(&station).cloned().flatten().filter(|_| !asks)
+        let asks = self.insists || self.known.asks_on;
+        self.known.mute.get(&station).cloned().flatten().filter(|_| !asks)
     }
 
     /// What came of a question to a station.
@@ -50,12 +53,17 @@ impl Session<'_> {
             // A function that a station does not know may be left without a word, against the standard.
             Err(ExchangeError::Silence { .. }) if !question.asks_for_a_value() => {}
             Err(silence @ ExchangeError::Silence { .. }) => {
-                self.mute.stations.entry(station).or_insert_with(|| Some(silence.clone()));
+                self.known.mute.entry(station).or_insert_with(|| Some(silence.clone()));
             }
             _ => {
-                self.mute.stations.insert(station, None);
+                self.known.mute.insert(station, None);
             }
         }
+    }
+
+    /// Whether nothing was written to a station before; from now on something was.
+    pub(in crate::drive) fn is_first_write(&mut self, station: u8) -> bool {
+        self.known.written.insert(station)
     }
 
     /// From now on this is told, once, where no valid answer comes for 2 s; what began to count before goes on.

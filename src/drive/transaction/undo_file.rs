@@ -1,20 +1,24 @@
 //! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
 //! the drive, and what was to come.
 
+mod stated;
+
+pub use stated::WayBack;
+
 use super::plan::{Kept, Plan, is_doubted, prepare};
-use super::weigh::{Coming, Purpose, Unproven, not_taken_back};
+use super::weigh::{Purpose, not_taken_back};
 use crate::drive::job::Step;
-use crate::drive::paramfile::broken;
 use crate::drive::stands::{has_ram, in_ram};
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{WriteResult, Written};
 use crate::profile::paramfile::{
-    At, FileFault, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text,
+    At, Head, ParamFile, Setting, Settings, UndoSettings, print_undo, value_text, with_unproven,
 };
-use crate::profile::{DataSets, Family, Goes, Store, Type};
+use crate::profile::{DataSets, Family, Store, Type};
 use crate::text::{Text, both};
+use stated::way_back;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -127,10 +131,26 @@ impl UndoFile {
         if holds(&stated, &unproven) { Ok(()) } else { Err(unkept(&self.path, &error)) }
     }
 
-    /// The text with these as not proven.
+    /// The text with these as not proven: what stands on the disk by now, with its comments, if it is read so.
     fn text(&self, unproven: &Settings) -> String {
         let settings = UndoSettings { unproven: unproven.clone(), ..self.settings.clone() };
-        print_undo(&self.head, &settings, &self.family)
+        let kept = files::read(&self.path, files::TEXT)
+            .ok()
+            .map(|text| with_unproven(&text, unproven, &self.family, self.head.lang));
+        let is_read_so = |text: &String| {
+            let file = ParamFile::parse("undo", text).ok();
+            let told = file.and_then(|file| way_back(&file, &self.family).ok()).map(|(told, _)| told);
+            told.is_some_and(|told| {
+                let pairs = [
+                    (&told.old, &settings.old),
+                    (&told.new, &settings.new),
+                    (&told.ram, &settings.ram),
+                    (&told.unproven, unproven),
+                ];
+                told.store == settings.store && pairs.iter().all(|(one, other)| holds(one, other) && holds(other, one))
+            })
+        };
+        kept.filter(is_read_so).unwrap_or_else(|| print_undo(&self.head, &settings, &self.family))
     }
 
     /// Itself, unless nothing was written: then it is of no use, and is taken away.
@@ -403,64 +423,6 @@ fn not_back(one: &Setting) -> Text {
         label = param.label(),
         raw = value_text(param, *raw)
     )
-}
-
-/// What an undo file states.
-#[derive(Debug)]
-pub struct WayBack {
-    /// The old values.
-    pub steps: Vec<Step>,
-    /// The new ones from which they lead back.
-    pub from: Coming,
-    /// What stood in the RAM alone: it is only named.
-    pub in_ram_alone: Settings,
-    /// What perhaps did not come back.
-    pub unproven: Unproven,
-}
-
-/// What a file says of the way back: as it stands there, and as what is to be done.
-fn way_back(file: &ParamFile, family: &Family) -> Result<(UndoSettings, WayBack), Failure> {
-    let Some((undo, coming)) = file.undo.as_ref().zip(file.coming(family)) else { return Err(no_undo_file(file)) };
-    let old = file.settings(family).map_err(|fault| broken(&fault))?;
-    old.iter().try_for_each(|it| was_loaded(it, family)).map_err(|fault| broken(&fault))?;
-    let coming = coming.map_err(|fault| broken(&fault))?;
-    let in_ram_alone = file.in_ram_alone(family).map_err(|fault| broken(&fault))?;
-    let unproven = file.unproven(family).map_err(|fault| broken(&fault))?;
-    let wire = |set| undo.store.wire(set);
-    let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind, at: None };
-    let mut steps: Vec<Step> = old.iter().map(step).collect();
-    steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
-    let from = coming.iter().map(|it| ((it.param.id, wire(it.set)), it.raw)).collect();
-    let open = unproven.iter().map(|it| (it.param.id, wire(it.set))).collect();
-    let way = WayBack { steps, from, in_ram_alone: in_ram_alone.clone(), unproven: open };
-    Ok((UndoSettings { old, new: coming, store: undo.store, ram: in_ram_alone, unproven }, way))
-}
-
-/// Only what a load may write is taken back: a file is changed by anybody, and a control word that it brings would start the shaft.
-fn was_loaded(setting: &Setting, family: &Family) -> Result<(), FileFault> {
-    if family.files.goes(&setting.param) <= Goes::IfAsked {
-        return Ok(());
-    }
-    let why = both!(
-        "no load ever writes {label} ({called}), so it cannot be taken back",
-        "{label} ({called}) schreibt kein Laden, also lässt es sich nicht zurücknehmen",
-        label = setting.param.label(),
-        called = setting.param.called()
-    );
-    let hint = both!("take the line out; nothing was written", "die Zeile herausnehmen; es wurde nichts geschrieben");
-    Err(FileFault { at: setting.at.clone(), why, newer: false, hint: Some(Box::new(hint)) })
-}
-
-fn no_undo_file(file: &ParamFile) -> Failure {
-    let message = both!(
-        "{path}: this file takes nothing back: it has no table [undo]",
-        "{path}: diese Datei nimmt nichts zurück: sie hat keine Tabelle [undo]",
-        path = file.path
-    );
-    Failure::new(Class::Data, "data.no_undo_file", message).hint(both!(
-        "`antrieb dataset load` leaves one before it writes; `dataset load` writes a parameter file",
-        "`antrieb dataset load` legt eine an, bevor es schreibt; `dataset load` schreibt eine Parameterdatei"
-    ))
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ mod signature;
 pub use super::value::value_text;
 pub use file::{At, Head, Line, NotHeld, ParamFile, Provenance, SavedDrive, Scope, Undo, VERSION};
 pub use parse::{FileFault, schema};
-pub use print::{UndoSettings, line, print, print_undo};
+pub use print::{UndoSettings, line, print, print_undo, with_unproven};
 pub use ranges::{numbers, ranges};
 pub use settings::{Setting, Settings};
 pub use signature::Signature;

@@ -94,12 +94,45 @@ pub fn print_undo(head: &Head, settings: &UndoSettings, family: &Family) -> Stri
     let _ = write!(text, "memory = \"{memory}\"\n\n[undo.values]\n");
     text.extend(new.iter().map(|setting| line(setting, family, head.lang)));
     for (name, what, settings) in [("ram", IN_RAM, ram), ("unproven", UNPROVEN, unproven)] {
-        if !settings.is_empty() {
-            let _ = write!(text, "\n# {}\n[undo.{name}]\n", what.get(head.lang));
-            text.extend(settings.iter().map(|setting| line(setting, family, head.lang)));
-        }
+        text.push_str(&section(name, what, settings, family, head.lang));
     }
     text
+}
+
+/// A table of settings behind what takes a transaction back; none where there are none.
+fn section(name: &str, what: &Text, settings: &Settings, family: &Family, lang: Lang) -> String {
+    if settings.is_empty() {
+        return String::new();
+    }
+    let rows: String = settings.iter().map(|setting| line(setting, family, lang)).collect();
+    format!("\n# {}\n[undo.{name}]\n{rows}", what.get(lang))
+}
+
+/// The text of an undo file with these as not proven, and everything else as a hand may have left it. Whether it was read so is for the
+/// caller: a file can be written in many ways.
+pub fn with_unproven(text: &str, unproven: &Settings, family: &Family, lang: Lang) -> String {
+    let (mut lines, mut is_old) = (Vec::new(), false);
+    for row in text.lines() {
+        let told = row.trim();
+        if told.starts_with('[') {
+            is_old = told == "[undo.unproven]";
+            if is_old
+                && lines
+                    .last()
+                    .is_some_and(|last: &String| UNPROVEN.both().iter().any(|what| last == &format!("# {what}")))
+            {
+                lines.pop();
+            }
+        }
+        if is_old {
+            continue;
+        }
+        let version = told.strip_prefix("antrieb").and_then(|rest| rest.trim_start().strip_prefix('='));
+        let is_first = version.is_some_and(|version| version.trim() == "1") && !unproven.is_empty();
+        lines.push(if is_first { "antrieb = 2".to_owned() } else { row.to_owned() });
+    }
+    let text = lines.join("\n");
+    format!("{}\n{}", text.trim_end(), section("unproven", UNPROVEN, unproven, family, lang))
 }
 
 /// The line of a setting: `"372@2" = "1450 1/min"  # rated-speed`; in German its name stands behind the slug.

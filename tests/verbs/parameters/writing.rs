@@ -1,6 +1,9 @@
 //! `write` and the verbs that write: what is asked, what is sent, how it is proven, and what is never sent.
 
 use crate::run::{Document, antrieb};
+use antrieb::protocol::line::LineSetting;
+use antrieb::tick::Span;
+use antrieb::transport::witness;
 use serde_json::{Value, json};
 
 fn results(document: &Document) -> Vec<String> {
@@ -376,4 +379,28 @@ fn what_changes_while_somebody_is_asked_is_told_as_what_it_replaces() {
     let usual = antrieb(line).on(&bench(99)).answered("y").exits(0).sent().len();
     let at_once = antrieb(line).and("--yes").on(&bench(99)).exits(0).sent().len();
     assert_eq!(at_once + 2, usual);
+}
+
+/// A drive that has refused over VABus takes no write until it was asked why: what another master has left so keeps no write of ours back,
+/// and its cause is not told as ours.
+#[test]
+fn a_refusal_that_another_master_has_left_keeps_no_write_back() {
+    let bench = "[[drive]]\nmodel = \"act\"\nprotocol = \"vabus\"\n";
+    for line in ["write 480@1=8", "dataset load {dir}/f.toml --undo-file {dir}/u.toml", "dataset copy 1 2"] {
+        let first = antrieb("-a 1 --protocol vabus read 411").on(bench).exits(0);
+        let (mut bench, at) = witness::left().unwrap();
+        // SELECT of P.411, which is only read.
+        let mut told = vec![0x04, 0x41, 0x02];
+        told.extend(b"00411040007\x03");
+        let check = told[3..].iter().fold(0, |sum, byte| sum ^ byte);
+        told.push(check);
+        let at = at + Span::from_millis(50);
+        bench.master_sends(at, LineSetting::vabus(19_200), &told);
+        let later = at + Span::from_millis(200);
+        assert!(bench.advance(later).iter().any(|(_, byte)| *byte == 0x15), "refused");
+        witness::stands(bench, later);
+        let run = first.then(&format!("-p sim:{{dir}}/bench.toml -a 1 --protocol vabus --yes {line}"));
+        let run = run.file("f.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"480@1\" = 8\n");
+        run.exits(0);
+    }
 }

@@ -71,3 +71,43 @@ fn of_four_data_sets_each_has_to_come_back() {
     assert_eq!(without(four.iter().map(Kept::setting).collect(), &[&kept(0)]).len(), 0);
     assert_eq!(without(four.iter().map(Kept::setting).collect(), &[&kept(2)]).len(), 3);
 }
+
+#[test]
+fn what_a_hand_has_written_stays_in_a_file_that_is_written_again() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("u.toml");
+    std::fs::write(&path, UNDO).unwrap();
+    opened(&path).note(&[kept(1)]).unwrap();
+    let noted = std::fs::read_to_string(&path).unwrap();
+    assert!(noted.starts_with(&UNDO.replace("antrieb = 1", "antrieb = 2")), "{noted}");
+    assert!(noted.contains("\n[undo.unproven]\n\"480@1\" = \"5.00 Hz\""), "{noted}");
+    // And twice, and back.
+    opened(&path).note(&[kept(1)]).unwrap();
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), noted);
+    opened(&path).strike(&[kept(1)], &[&kept(1)]).unwrap();
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), UNDO.replace("antrieb = 1", "antrieb = 2"));
+    // What is written in another way is printed anew.
+    let inline = UNDO.replace("[undo]\n", "[undo]\nunproven = { \"480@1\" = 5 }\n");
+    std::fs::write(&path, inline.replace("antrieb = 1", "antrieb = 2")).unwrap();
+    opened(&path).note(&[kept(0)]).unwrap();
+    assert_eq!(opened(&path).settings.unproven.iter().count(), 2);
+}
+
+#[test]
+fn a_file_that_says_two_things_is_refused_with_its_line() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("u.toml");
+    std::fs::write(&path, UNDO).unwrap();
+    let family = Registry::open(&[]).unwrap().family("act").unwrap();
+    for (row, is_read) in
+        [("480@1 = 5", true), ("480@2 = 5", true), ("480 = 5", true), ("480@1 = 9", false), ("481@1 = 5", false)]
+    {
+        let (place, value) = row.split_once(" = ").unwrap();
+        let text = UNDO.replace("antrieb = 1", "antrieb = 2") + &format!("[undo.unproven]\n\"{place}\" = {value}\n");
+        let file = ParamFile::parse("u", &text).unwrap();
+        match UndoFile::read(&path, &file, &family) {
+            Ok(_) => assert!(is_read, "{row}"),
+            Err(failure) => assert!(!is_read && failure.message.en.contains("[undo.unproven] has"), "{row}: {failure}"),
+        }
+    }
+}
