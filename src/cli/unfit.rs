@@ -278,6 +278,14 @@ impl Place {
                      `antrieb sollwert WERT --enable --hold --view {option} …` gibt einen"
                 );
             }
+            if let [verb, inner] = &self.path[..]
+                && verbs.split(", ").any(|one| one == format!("`{verb}`"))
+            {
+                return both!(
+                    "it stands before `{inner}`: `antrieb … {verb} {option} … {inner}`",
+                    "sie steht vor `{inner}`: `antrieb … {verb} {option} … {inner}`"
+                );
+            }
             return both!("`{option}` is an option of {verbs}", "`{option}` ist eine Option von {verbs}");
         }
         if let Some(line) = self.meant(error) {

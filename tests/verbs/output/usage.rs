@@ -27,6 +27,17 @@ const MISTAKES: &[Mistake] = &[
         ["`--record` is an option of `monitor`", "`--record` ist eine Option von `monitor`"],
     ),
     mistake(
+        "--protocol dp statemachine disable --mode basic",
+        [
+            "'--mode' is not expected behind `statemachine disable`",
+            "'--mode' wird hinter `statemachine disable` nicht erwartet",
+        ],
+        [
+            "it stands before `disable`: `antrieb --protocol dp … statemachine --mode … disable`",
+            "sie steht vor `disable`: `antrieb --protocol dp … statemachine --mode … disable`",
+        ],
+    ),
+    mistake(
         "--enable sollwert 10Hz",
         [
             "'--enable' stands before `sollwert`, whose option it is",
