@@ -119,7 +119,11 @@ impl Screen {
 
     /// Somebody has something to say.
     pub(super) fn note(&mut self, text: &str) {
-        let is_alarm = text.starts_with(may_turn().get(self.lang));
+        let unanswered = unanswered_stop();
+        let unanswered = unanswered.get(self.lang);
+        // What an answer would end does not take the place of what it does not.
+        let outlives = !self.alarm.is_empty() && self.alarm != unanswered && text == unanswered;
+        let is_alarm = text.starts_with(may_turn().get(self.lang)) && !outlives;
         text.clone_into(if is_alarm { &mut self.alarm } else { &mut self.note });
         self.noted = self.t;
         // Who leans on a key hears the same again and again.
