@@ -135,16 +135,21 @@ fn fitting(head: &str, drives: &[&[String]], width: usize) -> String {
     cut(&line(&counts), width)
 }
 
-/// As much of a text as fits.
+/// As much of a text as fits; that it goes on is marked.
 fn cut(text: &str, width: usize) -> String {
-    let mut room = width;
+    if text.width() <= width {
+        return text.to_owned();
+    }
+    let mark = MORE.trim_start();
+    let mut room = width.saturating_sub(mark.width());
     let fits = |letter: &char| {
         let columns = letter.width().unwrap_or(0);
         let fits = columns <= room;
         room = room.saturating_sub(columns);
         fits
     };
-    text.chars().take_while(fits).collect()
+    let begin: String = text.chars().take_while(fits).collect();
+    if width < mark.width() { begin } else { format!("{begin}{mark}") }
 }
 
 #[cfg(test)]
@@ -161,7 +166,7 @@ mod tests {
             (60, "3 s  1: Störung  Störung F0500 … | 2: Bereit  Strom 0,0 A"),
             (50, "3 s  1: Störung  Störung F0500 … | 2: Bereit …"),
             (32, "3 s  1: Störung … | 2: Bereit …"),
-            (20, "3 s  1: Störung … | "),
+            (20, "3 s  1: Störung … |…"),
         ] {
             assert_eq!(fitting("3 s  ", &drives, width), expected, "{width}");
         }
