@@ -14,7 +14,7 @@ pub struct MotionArgs {
 
     /// With --hold: end after this time
     ///
-    /// It counts from the word that can turn the shaft, whether that is answered or not, behind a --ramp from its end, and with --until reached from then on.
+    /// It counts from the word that can turn the shaft, whether that is answered or not; behind `--ramp` from its end, with `--until reached` from then on.
     #[arg(long, visible_alias = "for", value_name = "TIME", value_parser = parse_span, requires = "hold", help_heading = "Run")]
     pub duration: Option<Span>,
 
