@@ -136,7 +136,7 @@ impl UndoFile {
         let settings = UndoSettings { unproven: unproven.clone(), ..self.settings.clone() };
         let kept = files::read(&self.path, files::TEXT)
             .ok()
-            .map(|text| with_unproven(&text, unproven, &self.family, self.head.lang));
+            .map(|text| with_unproven(&text, &settings, &self.family, self.head.lang));
         let is_read_so = |text: &String| {
             let file = ParamFile::parse("undo", text).ok();
             let told = file.and_then(|file| way_back(&file, &self.family).ok()).map(|(told, _)| told);

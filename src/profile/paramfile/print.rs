@@ -87,8 +87,7 @@ fn print_as(version: u32, head: &Head, settings: &Settings, family: &Family) -> 
 /// The text of a file that takes a transaction back.
 pub fn print_undo(head: &Head, settings: &UndoSettings, family: &Family) -> String {
     let UndoSettings { old, new, store, ram, unproven } = settings;
-    let version = if ram.is_empty() && unproven.is_empty() { 1 } else { 2 };
-    let mut text = print_as(version, head, old, family);
+    let mut text = print_as(version(settings), head, old, family);
     let _ = write!(text, "\n# {}\n[undo]\n", TO_COME.get(head.lang));
     let memory = if *store == Store::Ram { "ram" } else { "eeprom" };
     let _ = write!(text, "memory = \"{memory}\"\n\n[undo.values]\n");
@@ -108,9 +107,15 @@ fn section(name: &str, what: &Text, settings: &Settings, family: &Family, lang: 
     format!("\n# {}\n[undo.{name}]\n{rows}", what.get(lang))
 }
 
+/// The lowest version of the format that knows all that an undo file states, so that older programs read what they can.
+fn version(UndoSettings { ram, unproven, .. }: &UndoSettings) -> u32 {
+    if ram.is_empty() && unproven.is_empty() { 1 } else { 2 }
+}
+
 /// The text of an undo file with these as not proven, and everything else as a hand may have left it. Whether it was read so is for the
 /// caller: a file can be written in many ways.
-pub fn with_unproven(text: &str, unproven: &Settings, family: &Family, lang: Lang) -> String {
+pub fn with_unproven(text: &str, settings: &UndoSettings, family: &Family, lang: Lang) -> String {
+    let (unproven, of_version) = (&settings.unproven, version(settings).to_string());
     let (mut lines, mut is_old) = (Vec::new(), false);
     for row in text.lines() {
         let told = row.trim();
@@ -127,9 +132,9 @@ pub fn with_unproven(text: &str, unproven: &Settings, family: &Family, lang: Lan
         if is_old {
             continue;
         }
-        let version = told.strip_prefix("antrieb").and_then(|rest| rest.trim_start().strip_prefix('='));
-        let is_first = version.is_some_and(|version| version.trim() == "1") && !unproven.is_empty();
-        lines.push(if is_first { "antrieb = 2".to_owned() } else { row.to_owned() });
+        let stated = told.strip_prefix("antrieb").and_then(|rest| rest.trim_start().strip_prefix('='));
+        let is_other = stated.is_some_and(|stated| ["1", "2"].contains(&stated.trim()) && stated.trim() != of_version);
+        lines.push(if is_other { format!("antrieb = {of_version}") } else { row.to_owned() });
     }
     let text = lines.join("\n");
     format!("{}\n{}", text.trim_end(), section("unproven", UNPROVEN, unproven, family, lang))

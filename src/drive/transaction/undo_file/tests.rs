@@ -85,7 +85,7 @@ fn what_a_hand_has_written_stays_in_a_file_that_is_written_again() {
     opened(&path).note(&[kept(1)]).unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), noted);
     opened(&path).strike(&[kept(1)], &[&kept(1)]).unwrap();
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), UNDO.replace("antrieb = 1", "antrieb = 2"));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), UNDO);
     // What is written in another way is printed anew.
     let inline = UNDO.replace("[undo]\n", "[undo]\nunproven = { \"480@1\" = 5 }\n");
     std::fs::write(&path, inline.replace("antrieb = 1", "antrieb = 2")).unwrap();
