@@ -369,6 +369,10 @@ fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> 
     }
     let mut items = Vec::new();
     for selector in selectors {
+        if let Some(item) = trigger::short(&selector.to_string(), family) {
+            items.push(item?);
+            continue;
+        }
         let selections = selector.resolve(family).map_err(|error| super::read::select_failure(&error))?;
         for selection in selections {
             // Whoever names it alone wants it so.

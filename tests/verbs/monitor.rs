@@ -410,3 +410,18 @@ fn a_text_file_holds_the_last_round_and_takes_no_other_files_place() {
     let refused = antrieb("-p sim -a 1 read 210 --format influx").exits(2);
     assert!(refused.err.contains("monitor"), "{}", refused.err);
 }
+
+/// The short words mean what they mean to a trigger, and not the only name that begins so.
+#[test]
+fn a_short_word_is_watched_as_what_it_says() {
+    for (word, id) in
+        [("fault", 260), ("state", 411), ("setpoint", 283), ("frequency", 210), ("current", 211), ("warnings", 270)]
+    {
+        let run = antrieb(&format!("-p sim -a 1 --format ndjson monitor --count 1 {word}")).exits(0);
+        let sample = run.out.lines().find(|line| line.contains("\"type\":\"sample\"")).unwrap();
+        let sample: Value = serde_json::from_str(sample).unwrap();
+        assert_eq!(sample["values"][0]["param"], id, "{word}: {sample:#}");
+    }
+    let none = antrieb("-p sim -a 1 monitor --count 1 voltage").exits(7);
+    assert!(none.err.contains("no source tells which parameter"), "{}", none.err);
+}

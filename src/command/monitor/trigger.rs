@@ -24,7 +24,8 @@ const RISING: &str = "rising";
 const FALLING: &str = "falling";
 
 /// Short names of what most drives have, by role.
-const SHORT: [(&str, &[&str]); 7] = [
+const SHORT: [(&str, &[&str]); 8] = [
+    ("state", &["status-word"]),
     ("setpoint", super::SETPOINT),
     ("actual", super::ACTUAL),
     ("frequency", super::ACTUAL),
@@ -105,11 +106,18 @@ fn parts(text: &str) -> Option<(&str, Option<Kind>, &str)> {
     (!name.trim().is_empty() && !level.is_empty()).then_some((name.trim(), Some(Kind::Is(compare)), level))
 }
 
+/// The parameter that a short name means; `None` if it is none.
+pub(super) fn short(name: &str, family: &Family) -> Option<Result<Item, Failure>> {
+    let (short, roles) = SHORT.into_iter().find(|row| row.0.eq_ignore_ascii_case(name))?;
+    let param = super::one_of(roles, family).ok_or_else(|| lacks(short, family));
+    let selection = |param| Selection { param, sets: DataSets::Unnamed, of_group: false, lenient: false };
+    Some(param.map(|param| Item::new(selection(param))))
+}
+
 /// The parameter that is meant: by a short name, or as for `read`.
 fn item(name: &str, family: &Family) -> Result<Item, Failure> {
-    if let Some((short, roles)) = SHORT.into_iter().find(|row| row.0.eq_ignore_ascii_case(name)) {
-        let param = super::one_of(roles, family).ok_or_else(|| lacks(short, family))?;
-        return Ok(Item::new(Selection { param, sets: DataSets::Unnamed, of_group: false, lenient: false }));
+    if let Some(item) = short(name, family) {
+        return item;
     }
     let selector: Selector = name.parse().map_err(|error| select_failure(&error))?;
     let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;
