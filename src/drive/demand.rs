@@ -47,11 +47,14 @@ impl Session<'_> {
     /// was asked why (VABus; facts: seed 002), and would give that old cause for ours. What must not wait finds it out itself.
     pub(super) async fn unlock(&mut self, route: Route, family: &Family) -> Result<(), AccessError> {
         let Some(question) = route.unlocks(family).filter(|_| !self.is_insisting()) else { return Ok(()) };
-        if self.is_first_write(route.address) {
-            match self.ask_once(route, question).await {
-                Err(AccessError::Exchange(_)) | Ok(_) => {}
-                Err(error) => return Err(error),
-            }
+        if self.is_unlocked(route.address) {
+            return Ok(());
+        }
+        match self.ask_once(route, question).await {
+            Ok(_) => self.notes_unlocked(route.address),
+            // It may have been lost: the next write asks again.
+            Err(AccessError::Exchange(_)) => {}
+            Err(error) => return Err(error),
         }
         Ok(())
     }

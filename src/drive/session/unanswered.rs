@@ -28,8 +28,8 @@ pub(super) struct Known {
     /// the longest time that a question has will not say one to the next.
     mute: BTreeMap<u8, Option<ExchangeError>>,
     asks_on: bool,
-    /// Something was written to these.
-    written: BTreeSet<u8>,
+    /// These have told what an earlier master left there, and take a write.
+    unlocked: BTreeSet<u8>,
 }
 
 impl Session<'_> {
@@ -61,9 +61,14 @@ impl Session<'_> {
         }
     }
 
-    /// Whether nothing was written to a station before; from now on something was.
-    pub(in crate::drive) fn is_first_write(&mut self, station: u8) -> bool {
-        self.known.written.insert(station)
+    /// Whether a station was asked for what an earlier master left there.
+    pub(in crate::drive) fn is_unlocked(&self, station: u8) -> bool {
+        self.known.unlocked.contains(&station)
+    }
+
+    /// It has answered that.
+    pub(in crate::drive) fn notes_unlocked(&mut self, station: u8) {
+        self.known.unlocked.insert(station);
     }
 
     /// From now on this is told, once, where no valid answer comes for 2 s; what began to count before goes on.
