@@ -270,7 +270,7 @@ mod tests {
         let voltage = of("voltage > 50").unwrap_err();
         assert_eq!(voltage.code, "data.unknown_parameter");
         assert!(
-            voltage.message.en.contains("(there is: setpoint, actual, frequency, current, fault, warnings)"),
+            voltage.message.en.contains("(there is: state, setpoint, actual, frequency, current, fault, warnings)"),
             "{voltage:?}"
         );
         let hint = of("state = fault").unwrap_err().hint.unwrap();
