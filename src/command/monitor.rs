@@ -234,7 +234,10 @@ impl Wanted {
     fn of(args: &Args, settings: &Settings) -> Result<Self, Failure> {
         let known = templates(settings)?;
         let mut params = args.params.clone();
-        let (mut pre, mut post, mut once, mut triggers) = (args.pre, args.post, args.once, Vec::new());
+        let (mut pre, mut post, mut triggers) = (args.pre, args.post, Vec::new());
+        // What one of several wants keeps none of the others from being waited for.
+        let ends = |text: &String| known.get(text.trim()).is_some_and(|template| template.once);
+        let once = args.once || !args.trigger.is_empty() && args.trigger.iter().all(ends);
         for text in &args.trigger {
             let Some(template) = known.get(text.trim()) else {
                 triggers.push(text.clone());
@@ -245,7 +248,6 @@ impl Wanted {
             params.extend(watch.iter().filter(|_| args.params.is_empty()).cloned());
             pre = pre.or(time(text, template.pre.as_deref())?);
             post = post.or(time(text, template.post.as_deref())?);
-            once |= template.once;
         }
         if let Some(stranger) = triggers.iter().find(|text| !trigger::is_condition(text)) {
             let names = known.keys().cloned().collect::<Vec<_>>().join(", ");

@@ -114,6 +114,10 @@ struct Change {
     to: f64,
     /// When it was seen to have come to its end.
     done: f64,
+    /// How long it seemed to stand on its way: its steps may be smaller than what its value shows.
+    paused: f64,
+    /// It was seen to stand there, and longer; what was led and is seen no longer may have been on its way.
+    stands: bool,
 }
 
 /// The changes: from a value that stood to the next one that stands. A value that two samples close together tell did not stand.
@@ -123,14 +127,25 @@ fn changes(setpoint: &[(f64, f64)]) -> Vec<Change> {
     for pair in setpoint.windows(2) {
         let [(before_t, before), (t, now)] = *pair else { continue };
         if before == now {
+            changes
+                .iter_mut()
+                .last()
+                .into_iter()
+                .for_each(|change| change.stands |= t - change.done > 1.5 * change.paused);
             continue;
         }
         let goes_on = |change: &&mut Change| {
             before_t - change.done <= close && (now - before).signum() == (change.to - change.from).signum()
         };
         match changes.last_mut().filter(goes_on) {
-            Some(change) => (change.to, change.done) = (now, t),
-            None => changes.push(Change { since: before_t, t, from: before, to: now, done: t }),
+            Some(change) => {
+                change.paused = change.paused.max(before_t - change.done);
+                (change.to, change.done, change.stands) = (now, t, false);
+            }
+            None => {
+                let (since, from, to, done) = (before_t, before, now, t);
+                changes.push(Change { since, t, from, to, done, paused: 0.0, stands: false });
+            }
         }
     }
     changes
@@ -169,7 +184,8 @@ fn response(change: &Change, actual: &[(f64, f64)], band: f64) -> Option<Respons
     let outside = course.iter().rposition(|(_, value)| (value - end).abs() > near);
     let settled = outside.map_or(course.first(), |last| course.get(last + 1)).map(|(t, _)| *t);
     let rests = settled.filter(|t| last - t >= 0.1 * (last - change.done) && last > t.max(change.done));
-    let rests = rests.filter(|_| way != 0.0);
+    let is_there = change.done <= change.t || change.stands;
+    let rests = rests.filter(|_| way != 0.0 && is_there);
     if let Some(settled) = rests {
         let beyond = course.iter().map(|(_, value)| (value - end) * side).fold(0.0, f64::max);
         response.overshoot_percent = Some(100.0 * beyond / way.abs());
@@ -277,6 +293,27 @@ mod tests {
         assert_eq!((up.start, up.end, down.start, down.end), (0.0, 25.0, 25.0, 0.0));
         near(up.slope.unwrap(), 5.0, 0.01);
         near(up.settling_s.unwrap(), 4.9, 0.11);
+    }
+
+    /// However small its steps are, and whatever cuts it off: what was led and was not seen to stand has not settled.
+    #[test]
+    fn a_way_that_was_led_and_is_cut_off_has_a_slope_and_no_settling_time() {
+        for (step, digits) in [(0.02, 100.0), (0.06, 100.0), (0.25, 100.0)] {
+            let times = || (0..).map(|n| f64::from(n) * step).take_while(|t| *t < 16.99);
+            let led = |t: f64| ((t - 2.0).clamp(0.0, 15.0) * digits).floor() / digits;
+            let setpoint = curve(Part::Setpoint, times().map(|t| (t, Some(led(t)))));
+            let actual = curve(Part::Actual, times().map(|t| (t + 0.02, Some(led(t)))));
+            let told = responses(&setpoint, &actual, (0.0, 17.0), 0.02, (&[], &[]));
+            let [cut] = told[..] else { panic!("{told:?}") };
+            assert_eq!((cut.settling_s, cut.overshoot_percent), (None, None), "{step}: {cut:?}");
+            near(cut.slope.unwrap(), 1.0, 0.01);
+            // And one that was seen to stand has.
+            let times = || (0..).map(|n| f64::from(n) * step).take_while(|t| *t < 22.0);
+            let setpoint = curve(Part::Setpoint, times().map(|t| (t, Some(led(t)))));
+            let actual = curve(Part::Actual, times().map(|t| (t + 0.02, Some(led(t)))));
+            let told = responses(&setpoint, &actual, (0.0, 22.0), 0.02, (&[], &[]));
+            near(told[0].settling_s.unwrap(), 14.7, 0.3);
+        }
     }
 
     #[test]

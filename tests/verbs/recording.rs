@@ -279,6 +279,21 @@ fn a_trigger_has_a_name_in_the_project_file() {
 }
 
 #[test]
+fn what_one_of_several_triggers_wants_ends_no_watch() {
+    let project =
+        "[triggers.trip]\nwhen = \"state -> fault\"\nonce = true\n[triggers.runs]\nwhen = \"frequency > 1Hz\"\n";
+    let line =
+        "-a 1 monitor --interval 0 --unpaced --json --record {dir}/t.ndjson --duration 20s --trigger runs --trigger";
+    for (more, once) in [("trip", false), ("trip --once", true)] {
+        let run = antrieb(&format!("{line} {more}")).on(TRIPS).file("antrieb.toml", project).exits(0);
+        let records = records(&run.out);
+        assert_eq!(records[0]["waits"]["once"], once, "{more}");
+        let trips = records.iter().any(|record| record["type"] == "trigger" && record["trigger"] == "state -> fault");
+        assert_eq!(trips, !once, "{more}: {}", run.out);
+    }
+}
+
+#[test]
 fn nobody_elses_file_is_replaced() {
     let line = "-p sim -a 1 monitor 210 --count 2 --unpaced --json --record {dir}/old.ndjson";
     let refused = antrieb(line).file("old.ndjson", "precious\n").exits(7);
