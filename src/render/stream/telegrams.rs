@@ -74,7 +74,8 @@ impl Form for Telegrams<'_> {
             Record::Station(news) => self.station(news),
             Record::End(StreamEnd { summary: Some(StreamSummary::Sniff(sniff)), .. }) => {
                 self.count(&sniff.count)?;
-                match sniff.count.stations.is_empty() {
+                // What went on without one that was asked has its limits too.
+                match sniff.count.stations.is_empty() && sniff.count.heard == 0 {
                     true => Ok(()),
                     false => writeln!(self.out, "{}", wrap(sniff.unseen.get(self.manner.lang), self.manner.width)),
                 }
