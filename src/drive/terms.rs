@@ -74,7 +74,8 @@ struct Cut {
 fn cut_on(protocol: Protocol, node: u8) -> Cut {
     let (plug, place): (bool, &[u32]) = match protocol {
         Protocol::Modbus(_) | Protocol::Vabus if node == 0 => (true, &[]),
-        Protocol::Modbus(_) | Protocol::Vabus => (false, &PLACE_ON_BUS),
+        // The master asks the SDO1 of its nodes (EM-RES-03 manual 5.8.4, 5.9.4).
+        Protocol::Modbus(_) | Protocol::Vabus => (false, &[900, 903, 921, 922]),
         Protocol::Sdo(SdoChannel::Two) => (false, &[900, 903, 923]),
         Protocol::Sdo(SdoChannel::One) => (false, &[900, 903, 921, 922]),
         Protocol::Pkw => (false, &[]),
