@@ -122,8 +122,10 @@ pub(super) fn kind(text: &str) -> Kind {
 /// Who may read and write.
 pub(super) fn access(text: &str) -> Option<Access> {
     Some(match dense(text).as_str() {
-        "r" | "ro" | "read" | "readonly" | "lesen" | "nurlesen" | "l" | "lesbar" => Access::Read,
-        "rw" | "wr" | "readwrite" | "lesenschreiben" | "ls" | "lesenundschreiben" | "readandwrite" => Access::ReadWrite,
+        "r" | "rd" | "ro" | "read" | "readonly" | "lesen" | "nurlesen" | "l" | "lesbar" => Access::Read,
+        "rw" | "rdwr" | "wr" | "readwrite" | "lesenschreiben" | "ls" | "lesenundschreiben" | "readandwrite" => {
+            Access::ReadWrite
+        }
         "w" | "wo" | "write" | "writeonly" | "nurschreiben" => Access::Write,
         _ => return None,
     })

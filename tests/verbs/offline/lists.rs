@@ -73,6 +73,14 @@ fn a_row_without_a_source_tells_its_file() {
     assert!(source.trim().ends_with("mine.toml") && !source.contains('('), "{told}");
 }
 
+/// As printed lists have it.
+#[test]
+fn access_is_known_in_its_short_words() {
+    let list = "Address,Name,Type,Access\n10,One,uint,RD\n11,Two,uint,RD/WR\n";
+    let told = antrieb("params import --own meter {dir}/a.csv").file("a.csv", list).exits(0).out;
+    assert!(told.contains("id = 10") && told.contains("access = \"r\"") && told.contains("access = \"rw\""), "{told}");
+}
+
 #[test]
 fn whatever_bytes_and_separators_it_comes_in() {
     let western: Vec<u8> =
