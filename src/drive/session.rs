@@ -70,6 +70,7 @@ pub struct Session<'a> {
     twins: BTreeSet<u8>,
     /// What is told where nobody answers for long.
     warns: Option<unanswered::Warns>,
+    /// What is known of the stations that are talked to.
     known: unanswered::Known,
     /// What is heard on a CAN bus, whomever it is for.
     heard: Option<can::Heard>,

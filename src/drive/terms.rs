@@ -2,7 +2,7 @@
 
 use super::{Finding, Session, Target, decode, introduce, recognise};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Event, Evidence, Warning};
+use crate::outcome::{Event, Evidence, Warning, addressed};
 use crate::profile::{Family, HazardKind, Param, Registry, Role};
 use crate::protocol::Protocol;
 use crate::protocol::can::SdoChannel;
@@ -65,7 +65,7 @@ const PLACE_ON_BUS: [u32; 5] = [900, 903, 921, 922, 923];
 struct Cut {
     /// What its catalogue says of its serial plug: P.10, 394, 395, 1375, 1376 (CM-485 manual 11.2).
     plug: bool,
-    /// Of its place on the system bus. Which channel a drive asks a node behind it over, no source tells.
+    /// Of its place on the system bus.
     place: &'static [u32],
 }
 
@@ -74,10 +74,9 @@ struct Cut {
 fn cut_on(protocol: Protocol, node: u8) -> Cut {
     let (plug, place): (bool, &[u32]) = match protocol {
         Protocol::Modbus(_) | Protocol::Vabus if node == 0 => (true, &[]),
-        // The master asks the SDO1 of its nodes (EM-RES-03 manual 5.8.4, 5.9.4).
-        Protocol::Modbus(_) | Protocol::Vabus => (false, &[900, 903, 921, 922]),
+        // The master asks the SDO1 of its nodes as well (EM-RES-03 manual 5.8.4, 5.9.4).
+        Protocol::Modbus(_) | Protocol::Vabus | Protocol::Sdo(SdoChannel::One) => (false, &[900, 903, 921, 922]),
         Protocol::Sdo(SdoChannel::Two) => (false, &[900, 903, 923]),
-        Protocol::Sdo(SdoChannel::One) => (false, &[900, 903, 921, 922]),
         Protocol::Pkw => (false, &[]),
     };
     Cut { plug, place }
@@ -332,13 +331,8 @@ impl Terms<'_> {
     }
 }
 
-/// An address as it is typed, with a node of the system bus behind it: `3`, `3.17`.
-pub(super) fn typed(address: u8, node: u8) -> String {
-    if node == 0 { address.to_string() } else { format!("{address}.{node}") }
-}
-
 /// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.
 pub fn who(address: u8, node: u8, drive: &str) -> Text {
-    let at = typed(address, node);
+    let at = addressed(address, node);
     both!("drive {at} ({drive})", "Antrieb {at} ({drive})")
 }

@@ -261,6 +261,11 @@ pub enum Event {
     Record(Box<Record>),
 }
 
+/// An address as it is typed, with a node of the system bus behind it: `3`, `3.17`.
+pub fn addressed(address: u8, node: u8) -> String {
+    if node == 0 { address.to_string() } else { format!("{address}.{node}") }
+}
+
 /// Node 0 is the drive itself, and not told.
 fn is_zero(node: &u8) -> bool {
     *node == 0

@@ -11,7 +11,7 @@ use crate::drive::transaction::{Choice, UndoPlace};
 use crate::drive::{Interrupt, Port, Terms, open_port};
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
-use crate::outcome::{Event, NotLoaded, Warning};
+use crate::outcome::{Event, NotLoaded, Warning, addressed};
 use crate::profile::Registry;
 use crate::text::{Text, both};
 use futures_util::future::join_all;
@@ -47,10 +47,9 @@ impl Wanted {
     /// What is typed behind `-a` for it.
     pub(super) fn typed(&self) -> String {
         match self.said {
-            Said::Plan(_) if !self.place.settings.typed.names_address() => match self.place.settings.node {
-                0 => self.place.address.to_string(),
-                node => format!("{}.{node}", self.place.address),
-            },
+            Said::Plan(_) if !self.place.settings.typed.names_address() => {
+                addressed(self.place.address, self.place.settings.node)
+            }
             _ => self.place.name.clone(),
         }
     }

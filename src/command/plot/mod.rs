@@ -154,9 +154,12 @@ impl Args {
         let scene = Scene { title, across, curves, states, marks, gaps, from, to, lang };
         let units = scene.units();
         let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), self.measure);
-        let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0, &track.breaks()));
-        let unseen =
-            responses.iter().flat_map(|responses| unseen(&scene, &track.starts(), responses)).collect::<Vec<_>>();
+        let breaks = if self.measure { track.breaks() } else { Vec::new() };
+        let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0, &breaks));
+        let unseen = responses
+            .iter()
+            .flat_map(|responses| unseen(&scene, &track.starts(&breaks), responses))
+            .collect::<Vec<_>>();
         let is_blind = !track.has_state() && !responses.iter().all(Vec::is_empty);
         let plot = Plot {
             file: self.file.display().to_string(),

@@ -338,9 +338,8 @@ impl Track {
         !ends(next) && !next.is_gap && next.follows(row) && row.follows(before)
     }
 
-    /// When the drive got power: from the last moment of which nothing is measured, to the end of the round that shows it.
-    pub(super) fn starts(&self) -> Vec<(f64, f64)> {
-        let breaks = self.breaks();
+    /// When the drive got power: from the last moment of which nothing is measured (`breaks`), to the end of the round that shows it.
+    pub(super) fn starts(&self, breaks: &[(f64, f64)]) -> Vec<(f64, f64)> {
         let begins =
             |off: &Row| breaks.iter().map(|found| found.1).filter(|end| *end <= off.t).fold(off.t.min(0.0), f64::max);
         let starts = self.rows.windows(2).filter_map(|pair| match pair {

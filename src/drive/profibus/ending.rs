@@ -293,17 +293,6 @@ impl Exchange<'_, '_> {
         Ok(false)
     }
 
-    /// The same for what goes back: said again where nothing was answered, which a port that took no bytes for a while keeps back.
-    async fn sets_back(&mut self, place: Place, word: u16) -> Result<(), Failure> {
-        for _ in 0..SAID_AGAIN {
-            match self.set(place, word).await {
-                Err(failure) if failure.code == trouble::MUTE => {}
-                done => return done,
-            }
-        }
-        self.set(place, word).await
-    }
-
     /// Writes a value and reads it back.
     pub(super) async fn set(&mut self, place: Place, word: u16) -> Result<(), Failure> {
         let told = self.request(Request::write(place, word, self.line.now())).await?;
@@ -313,6 +302,17 @@ impl Exchange<'_, '_> {
             Ok(bits) => Err(written.err().unwrap_or_else(|| trouble::differs(self.address(), place, bits))),
             Err(unread) => Err(written.err().unwrap_or(unread)),
         }
+    }
+
+    /// The same for what goes back: said again where nothing was answered, which a port that took no bytes for a while keeps back.
+    async fn sets_back(&mut self, place: Place, word: u16) -> Result<(), Failure> {
+        for _ in 0..SAID_AGAIN {
+            match self.set(place, word).await {
+                Err(failure) if failure.code == trouble::MUTE => {}
+                done => return done,
+            }
+        }
+        self.set(place, word).await
     }
 }
 

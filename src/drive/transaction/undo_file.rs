@@ -112,7 +112,7 @@ impl UndoFile {
 
     fn keep(&self, unproven: Settings) -> Result<(), Failure> {
         let mut stated = self.unproven.borrow_mut();
-        if holds(&stated, &unproven) && holds(&unproven, &stated) {
+        if same(&stated, &unproven) {
             return Ok(());
         }
         let error = match files::write_whole(&self.path, &self.text(&unproven), true) {
@@ -147,7 +147,7 @@ impl UndoFile {
                     (&told.ram, &settings.ram),
                     (&told.unproven, unproven),
                 ];
-                told.store == settings.store && pairs.iter().all(|(one, other)| holds(one, other) && holds(other, one))
+                told.store == settings.store && pairs.iter().all(|(one, other)| same(one, other))
             })
         };
         kept.filter(is_read_so).unwrap_or_else(|| print_undo(&self.head, &settings, &self.family))
@@ -231,6 +231,11 @@ impl UndoPlace {
 /// Whether one states all that the other does.
 fn holds(stated: &Settings, all: &Settings) -> bool {
     all.iter().all(|it| stated.exactly(it.param.id, it.set).is_some_and(|own| own.raw == it.raw))
+}
+
+/// Whether both state the same.
+fn same(one: &Settings, other: &Settings) -> bool {
+    holds(one, other) && holds(other, one)
 }
 
 /// Without what has come back, of these: of four data sets in one, each of them.

@@ -1,8 +1,7 @@
 //! What a watch waits for: a value that passes a level, a bit that changes, a state that is reached.
 
 use super::item::Item;
-use crate::drive::terms::typed;
-use crate::outcome::{Column, Sample, TriggerNews, Value};
+use crate::outcome::{Column, Sample, TriggerNews, Value, addressed};
 use crate::profile::value::format_decimal;
 use crate::profile::{Family, Type};
 use crate::text::{Text, both};
@@ -159,7 +158,7 @@ fn float(raw: i64) -> f64 {
 /// A trigger that came true, for people.
 pub(super) fn told(news: &TriggerNews) -> Text {
     let TriggerNews { t, address, node, trigger, .. } = news;
-    let address = typed(*address, *node);
+    let address = addressed(*address, *node);
     let t = format_decimal(t.raw / 1_000, 3);
     both!("trigger at {t} s, address {address}: {trigger}", "Auslöser bei {t} s, Adresse {address}: {trigger}")
 }

@@ -1,8 +1,7 @@
 //! What was seen of a drive last before a fault.
 
 use crate::drive::describe;
-use crate::drive::terms::typed;
-use crate::outcome::{Before, Fault, Sample, State, Trip, Value};
+use crate::outcome::{Before, Fault, Sample, State, Trip, Value, addressed};
 use crate::profile::Family;
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
@@ -65,7 +64,7 @@ fn place(value: &Value) -> (u32, u8, &'static str) {
 /// A drive that went into a fault, for people.
 pub(super) fn told(trip: &Trip) -> Text {
     let Trip { t, address, node, fault, before } = trip;
-    let address = typed(*address, *node);
+    let address = addressed(*address, *node);
     let t = format_decimal(t.raw / 1_000, 3);
     let fault = fault.as_ref().map_or_else(|| both!("fault", "Störung"), |fault| fault.told());
     let values = before.values.iter().filter_map(|row| {

@@ -35,8 +35,15 @@ pub struct FileFault {
 }
 
 impl FileFault {
-    pub(super) fn new(at: At, why: Text) -> Self {
+    /// What is wrong at a place.
+    pub fn new(at: At, why: Text) -> Self {
         FileFault { at, why, newer: false, hint: None }
+    }
+
+    /// The same with what to do.
+    #[must_use]
+    pub fn hint(self, hint: Text) -> Self {
+        FileFault { hint: Some(Box::new(hint)), ..self }
     }
 
     /// In words for people.

@@ -116,18 +116,13 @@ fn version(UndoSettings { ram, unproven, .. }: &UndoSettings) -> u32 {
 /// caller: a file can be written in many ways.
 pub fn with_unproven(text: &str, settings: &UndoSettings, family: &Family, lang: Lang) -> String {
     let (unproven, of_version) = (&settings.unproven, version(settings).to_string());
+    let is_head = |row: &str| UNPROVEN.both().iter().any(|what| row == format!("# {what}"));
     let (mut lines, mut is_old) = (Vec::new(), false);
     for row in text.lines() {
         let told = row.trim();
         if told.starts_with('[') {
             is_old = told == "[undo.unproven]";
-            if is_old
-                && lines
-                    .last()
-                    .is_some_and(|last: &String| UNPROVEN.both().iter().any(|what| last == &format!("# {what}")))
-            {
-                lines.pop();
-            }
+            lines.pop_if(|last: &mut String| is_old && is_head(last));
         }
         if is_old {
             continue;

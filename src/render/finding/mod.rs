@@ -32,7 +32,7 @@ mod systembus_show;
 mod telegrams;
 mod write;
 
-pub(super) use page::{Page, addressed};
+pub(super) use page::Page;
 pub use report::sheet;
 pub(super) use rows::{Column, Rows};
 pub(super) use telegrams::direction;

@@ -1,7 +1,7 @@
 //! A page for people, aligned and without borders, one row a line when piped; and what several kinds of findings show alike.
 
 use super::narrow::{GAP, has_room, hold_words_together};
-use crate::outcome::{Bit, Decimal, Fault, Value, Word, numbered};
+use crate::outcome::{Bit, Decimal, Fault, Value, Word, addressed, numbered};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::clean;
@@ -9,14 +9,6 @@ use crate::render::words::word;
 use crate::render::wrap::wrap;
 use crate::text::Text;
 use comfy_table::{CellAlignment, ContentArrangement, Table};
-
-/// An address as it is typed.
-pub(in crate::render) fn addressed(address: u8, node: u8) -> String {
-    match node {
-        0 => address.to_string(),
-        node => format!("{address}.{node}"),
-    }
-}
 
 /// How a page is written.
 #[derive(Clone, Copy)]

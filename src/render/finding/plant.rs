@@ -1,10 +1,10 @@
 //! `plan`, `apply`, `check`, `init`: the drives of a plant.
 
-use super::page::{Page, addressed};
+use super::page::Page;
 use super::paramfile::compared;
 use super::{Finding, Rows};
 use crate::outcome::{
-    Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult, Written,
+    Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult, Written, addressed,
 };
 use crate::render::clean;
 

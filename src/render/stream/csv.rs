@@ -3,10 +3,9 @@
 
 use super::Form;
 use super::cells::{Board, bits, number, seconds};
-use crate::outcome::{Column, Record, Sample};
+use crate::outcome::{Column, Record, Sample, addressed};
 use crate::profile::Lang;
 use crate::render::clean;
-use crate::render::finding::addressed;
 use std::io::{self, Write};
 
 pub(super) struct Csv<'a> {

@@ -2,10 +2,9 @@
 
 use super::Form;
 use super::cells::{Board, GAP, is_number, seconds, short};
-use crate::outcome::{Column, Record, Sample, StreamStart};
+use crate::outcome::{Column, Record, Sample, StreamStart, addressed};
 use crate::profile::Lang;
 use crate::render::clean;
-use crate::render::finding::addressed;
 use crate::render::words::word;
 use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
@@ -13,7 +12,6 @@ use unicode_width::UnicodeWidthStr;
 pub(super) struct Lines<'a> {
     out: &'a mut dyn Write,
     lang: Lang,
-    /// Node of the system bus behind every drive; 0 is the drive itself.
     board: Board,
     /// The state has a column of its own, so its word needs none.
     state: bool,

@@ -2,9 +2,8 @@
 
 use super::cells::{Board, GAP, first_of, is_number, seconds, short};
 use super::{Form, Manner};
-use crate::outcome::{Decimal, Record, Sample};
+use crate::outcome::{Decimal, Record, Sample, addressed};
 use crate::profile::Lang;
-use crate::render::finding::addressed;
 use crate::render::{clean, terminal_width};
 use std::collections::BTreeMap;
 use std::io::{self, Write};

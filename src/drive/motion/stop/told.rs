@@ -49,10 +49,14 @@ impl Motor<'_, '_> {
         self.stops_by(next);
         // Who works on as if nothing had been said is stopped by somebody else, if need be.
         let is_deaf = !interrupted && self.works;
-        let stops = what_stops_it(&self.target.family);
-        let turns = may_turn();
         self.session.tell(Event::Note(match is_deaf {
-            true => both!("{turns}: {text}; {stops}", "{turns}: {text}; {stops}", turns, text, stops),
+            true => both!(
+                "{turns}: {text}; {stops}",
+                "{turns}: {text}; {stops}",
+                turns = may_turn(),
+                text,
+                stops = what_stops_it(&self.target.family)
+            ),
             false => text.clone(),
         }));
         self.notes.push(text);

@@ -52,7 +52,7 @@ fn was_loaded(setting: &Setting, family: &Family) -> Result<(), FileFault> {
         called = setting.param.called()
     );
     let hint = both!("take the line out; nothing was written", "die Zeile herausnehmen; es wurde nichts geschrieben");
-    Err(FileFault { at: setting.at.clone(), why, newer: false, hint: Some(Box::new(hint)) })
+    Err(FileFault::new(setting.at.clone(), why).hint(hint))
 }
 
 /// What did not come back was to come back, with the value that stood there: else the file says two things.
@@ -72,7 +72,7 @@ fn was_undone(setting: &Setting, old: &Settings) -> Result<(), FileFault> {
         "make both say the same, or take the line out of [undo.unproven]; nothing was written",
         "beide gleich machen oder die Zeile aus [undo.unproven] herausnehmen; es wurde nichts geschrieben"
     );
-    Err(FileFault { at: setting.at.clone(), why, newer: false, hint: Some(Box::new(hint)) })
+    Err(FileFault::new(setting.at.clone(), why).hint(hint))
 }
 
 fn no_undo_file(file: &ParamFile) -> Failure {

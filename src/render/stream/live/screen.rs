@@ -2,10 +2,9 @@
 
 use super::past::{Drive, float};
 use crate::failure::{may_turn, unanswered_stop};
-use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart};
+use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart, addressed};
 use crate::profile::Lang;
 use crate::render::clean;
-use crate::render::finding::addressed;
 use crate::render::stream::cells::{Board, find, first_of, is_number, long, number, seconds, short};
 use crate::render::words::word;
 use ratatui::Frame;
