@@ -340,13 +340,19 @@ async fn carry_out(
         motor.walk("operation-enabled").await?;
     }
     motor.enter().await?;
-    if let Some((param, raw)) = &wanted.denominator {
-        motor.set(param, *raw).await?;
+    if wanted.denominator.is_some() {
+        // The shaft follows its guide as soon as that counts, at the ratio that stands in the drive then. Behind it the manual's own
+        // sequence gives it (LXM05 manual 5.5.3).
+        give_first(motor, wanted).await?;
     }
-    if is_timed && wanted.start.is_none() {
-        motor.will_hold(lasts);
+    match motion.hold {
+        true if until_reached => motor.will_hold_there(motion.duration),
+        true if wanted.start.is_none() => motor.will_hold(lasts),
+        _ => {}
     }
-    motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
+    motor.make_it_count().await?;
+    let given = give_first(motor, wanted).await;
+    if wanted.denominator.is_some() { motor.or_over(given) } else { given }?;
     lead(motor, wanted, &mut leads).await?;
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
@@ -365,12 +371,17 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        if until_reached {
-            motor.holds_from_now(motion.duration);
-        }
         hold(motor, wanted, if until_reached { motion.duration } else { lasts }, leads).await?;
     }
     Ok(())
+}
+
+/// Gives the first setpoint, and what belongs to it before.
+async fn give_first(motor: &mut Motor<'_, '_>, wanted: &Wanted) -> Result<(), Failure> {
+    if let Some((param, raw)) = &wanted.denominator {
+        motor.set(param, *raw).await?;
+    }
+    motor.give(&wanted.param, wanted.schedule.at(0), wanted.param.unit.as_deref().unwrap_or("")).await
 }
 
 /// Gives the last setpoint again and again, or what the keypad has made of it.

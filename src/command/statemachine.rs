@@ -11,7 +11,9 @@ use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, Takes};
-use crate::drive::motion::{self, Situation, in_fault, missing, no_control, no_fault, surroundings, upon_enabling};
+use crate::drive::motion::{
+    self, Motor, Situation, in_fault, missing, no_control, no_fault, surroundings, upon_enabling,
+};
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -220,18 +222,15 @@ async fn commanded(context: &mut Context<'_>, plan: Plan<'_>, bounds: Option<Tex
             if slug == "enable" { enabling(session, target, before, plan).await } else { Ok(()) }
         },
         async |motor, ()| {
-            let holds = motion.hold && slug == "enable";
-            if holds {
-                motor.will_hold(motion.duration);
-            }
-            match (slug, relief_of(slug)) {
-                (_, Some(act)) => motor.relieve(act).await?,
-                ("enable", _) => motor.walk("operation-enabled").await?,
-                ("switch-on", _) => motor.walk("switched-on").await?,
-                ("reset", _) => motor.reset().await?,
-                (other, _) => motor.command(other).await?,
-            }
-            if holds { motor.hold(motion.duration, async |_, _| Ok(())).await } else { Ok(()) }
+            let hold = (motion.hold && slug == "enable").then_some(motion.duration);
+            let work = async |motor: &mut Motor<'_, '_>| match (slug, relief_of(slug)) {
+                (_, Some(act)) => motor.relieve(act).await,
+                ("enable", _) => motor.walk("operation-enabled").await,
+                ("switch-on", _) => motor.walk("switched-on").await,
+                ("reset", _) => motor.reset().await,
+                (other, _) => motor.command(other).await,
+            };
+            motor.holding(hold, work).await
         },
     )
     .await
@@ -308,7 +307,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     }
     let announce = both!("walk to '{state}'", "gehen nach '{state}'", state = row.text());
     let runs = state == "operation-enabled";
-    let holds = motion.hold && runs;
+    let hold = (motion.hold && runs).then_some(motion.duration);
     let plan = Plan { runs, ..Plan::of("goto", announce, motion) };
     running::run(
         context,
@@ -317,13 +316,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
             obeyed(target, before, plan)?;
             if runs { enabling(session, target, before, plan).await } else { Ok(()) }
         },
-        async |motor, ()| {
-            if holds {
-                motor.will_hold(motion.duration);
-            }
-            motor.walk(state).await?;
-            if holds { motor.hold(motion.duration, async |_, _| Ok(())).await } else { Ok(()) }
-        },
+        async |motor, ()| motor.holding(hold, async |motor: &mut Motor<'_, '_>| motor.walk(state).await).await,
     )
     .await
 }

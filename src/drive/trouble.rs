@@ -257,5 +257,8 @@ pub(super) fn time_over() -> Failure {
         "the time of the run (--duration) was over before the drive was there",
         "die Zeit des Laufs (--duration) war um, ehe der Antrieb so weit war"
     );
-    Failure::new(Class::No, TIME_OVER, text)
+    Failure::new(Class::No, TIME_OVER, text).hint(both!(
+        "choose a longer --duration: it begins with the first word that can turn the shaft",
+        "--duration länger wählen: sie beginnt mit dem ersten Wort, das die Welle drehen kann"
+    ))
 }

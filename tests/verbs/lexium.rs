@@ -52,13 +52,14 @@ fn assert_sequence(output: &Output, first: &[Line], mode: u32, last: &[Line]) {
 }
 
 fn moved(words: &str) -> Output {
-    antrieb(&format!("-a 1 -v --yes sollwert {words} --enable --hold --duration 50ms")).on(BENCH).exits(0)
+    antrieb(&format!("-a 1 -v --yes sollwert {words} --enable --hold --duration 100ms")).on(BENCH).exits(0)
 }
 
 #[test]
 fn point_to_point_runs_as_5_4_1() {
     let output = moved(
-        "48usr --start relative --set RAMPacc=2000 --set RAMPdecel=4000 --set RAMPn_max=6000 --set PPn_target=4000",
+        "48usr --start relative --set RAMPacc=2000 --set RAMPdecel=4000 --set RAMPn_max=6000 --set PPn_target=4000 \
+         --until reached",
     );
     let first = [Write(1556, 0x07D0), Write(1558, 0x0FA0), Write(1554, 0x1770), Write(6942, 0x0FA0)];
     let last = [Write(6940, 0x30), Write(6914, 0x5F), Read(6916), Write(6914, 0x0F)];
@@ -76,7 +77,7 @@ fn velocity_profile_runs_as_5_4_2() {
 
 #[test]
 fn homing_runs_as_5_4_3() {
-    let output = moved("17 --mode homing --set HMn=100 --set HMn_out=10");
+    let output = moved("17 --mode homing --set HMn=100 --set HMn_out=10 --until reached");
     let first = [Write(10248, 0x64), Write(10250, 0x0A)];
     let last = [Write(6936, 0x11), Write(6914, 0x1F), Read(6916), Write(6914, 0x0F)];
     assert_sequence(&output, &first, 6, &last);

@@ -89,6 +89,7 @@ mod motion {
     mod hasty;
     mod held;
     mod ignored;
+    mod in_time;
     mod in_turns;
     mod kept;
     mod keypad;

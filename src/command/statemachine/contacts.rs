@@ -4,7 +4,7 @@ use super::dry_run;
 use crate::args::{MotionArgs, StopArg};
 use crate::command::running::{self, Plan};
 use crate::command::{Context, offline_family};
-use crate::drive::motion::{Situation, no_control_word, runs_at};
+use crate::drive::motion::{Motor, Situation, no_control_word, runs_at};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
@@ -35,7 +35,7 @@ pub(super) async fn set(
         "diese Kontakte schließen, alle anderen öffnen: {shown}"
     );
     let plan = Plan { needs_control: false, ..Plan::of("contacts", announce, motion) };
-    let take = motion.take_control;
+    let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
     running::run(
         context,
         plan,
@@ -44,11 +44,7 @@ pub(super) async fn set(
             if take {
                 motor.take_control(contacts, Some(word)).await?;
             }
-            if motion.hold {
-                motor.will_hold(motion.duration);
-            }
-            motor.contacts(word).await?;
-            if motion.hold { motor.hold(motion.duration, async |_, _| Ok(())).await } else { Ok(()) }
+            motor.holding(hold, async |motor: &mut Motor<'_, '_>| motor.contacts(word).await).await
         },
     )
     .await

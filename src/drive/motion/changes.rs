@@ -188,8 +188,12 @@ impl Motor<'_, '_> {
 
     /// Where a run went wrong: whether what it has set in RAM is gone, as behind a power failure.
     pub(super) async fn notes_restart(&mut self) {
-        let Some(change) = self.changes.iter().find(|change| change.old != change.new).cloned() else { return };
-        let param = self.target.family.param_or_unknown(change.param);
+        // A drive may end with the run by itself what makes a setpoint count.
+        let family = self.target.family.clone();
+        let stays = |change: &&Change| !family.motion.rest.iter().any(|row| row.param == change.param);
+        let changed = self.changes.iter().filter(stays).find(|change| change.old != change.new);
+        let Some(change) = changed.cloned() else { return };
+        let param = family.param_or_unknown(change.param);
         let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
         let now = raw(self.session, self.target, &param, change.data_set + ram).await;
         if now.is_ok_and(|now| now == Some(change.old)) {

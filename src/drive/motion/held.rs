@@ -21,21 +21,44 @@ pub(super) enum Clock {
     Stopped,
     /// It begins with the next word that can turn the shaft, and lasts so long, or until somebody ends it.
     Waits(Option<Span>),
+    /// It begins when the setpoint is reached.
+    Approaches(Option<Span>),
     Runs {
         begun: Tick,
         lasts: Option<Span>,
     },
 }
 
+/// What was not answered when the time of the run was over: that is no fault of the line.
+fn cut_off(failure: Failure) -> Failure {
+    let told = both!(
+        "--duration was over before the drive had answered, and the stop did not wait for it",
+        "--duration war um, ehe der Antrieb geantwortet hatte, und der Halt hat darauf nicht gewartet"
+    );
+    Failure { message: told, ..failure }.hint(both!(
+        "choose a longer --duration, several times as long as an answer takes (`diag line` shows that)",
+        "--duration länger wählen, mehrmals so lang wie eine Antwort braucht (`diag line` zeigt das)"
+    ))
+}
+
 impl Motor<'_, '_> {
     /// The run will be held, from the next word on that can turn the shaft; so long, or until somebody ends it.
     pub fn will_hold(&mut self, lasts: Option<Span>) {
-        self.clock = Clock::Waits(lasts);
+        if !matches!(self.clock, Clock::Runs { .. }) {
+            self.clock = Clock::Waits(lasts);
+        }
     }
 
-    /// The time of the run begins now.
-    pub fn holds_from_now(&mut self, lasts: Option<Span>) {
-        self.begins(self.session.now(), lasts);
+    /// The run will be held from its setpoint on; so long, or until somebody ends it.
+    pub fn will_hold_there(&mut self, lasts: Option<Span>) {
+        self.clock = Clock::Approaches(lasts);
+    }
+
+    /// The setpoint is reached, which was shown then.
+    pub(super) fn arrived(&mut self, shown: Tick) {
+        if let Clock::Approaches(lasts) = self.clock {
+            self.begins(shown, lasts);
+        }
     }
 
     fn begins(&mut self, begun: Tick, lasts: Option<Span>) {
@@ -54,7 +77,7 @@ impl Motor<'_, '_> {
     pub(super) fn may_turn(&mut self) {
         if let Clock::Waits(lasts) = self.clock {
             self.session.insist(true);
-            self.holds_from_now(lasts);
+            self.begins(self.session.now(), lasts);
         }
     }
 
@@ -101,15 +124,32 @@ impl Motor<'_, '_> {
         }
     }
 
+    /// Does `work`, whose words can turn the shaft, and holds what came of it, where that is wanted, for so long.
+    pub async fn holding(
+        &mut self,
+        hold: Option<Option<Span>>,
+        work: impl AsyncFnOnce(&mut Self) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let Some(lasts) = hold else { return work(self).await };
+        self.will_hold(lasts);
+        work(self).await?;
+        self.hold(lasts, async |_, _| Ok(())).await
+    }
+
     /// When the run began, which is now if no word could turn the shaft.
     fn runs_at_the_latest_now(&mut self) -> Tick {
         self.may_turn();
         if let Clock::Runs { begun, .. } = self.clock { begun } else { self.session.now() }
     }
 
-    /// Fails where the time of the run is over.
+    /// Whether the time of the run is over.
+    fn is_late(&self) -> bool {
+        self.end().is_some_and(|end| self.session.now() >= end)
+    }
+
+    /// Fails where it is.
     pub(super) fn demand_time(&self) -> Result<(), Failure> {
-        if self.end().is_none_or(|end| self.session.now() < end) { Ok(()) } else { Err(time_over()) }
+        if self.is_late() { Err(time_over()) } else { Ok(()) }
     }
 
     /// The last thing that is said in a run may stay unanswered where its time is over: that was its end.
@@ -129,15 +169,10 @@ impl Motor<'_, '_> {
     }
 
     /// Behind the work: no clock puts an end to what follows.
-    pub(super) fn stops_the_clock<T>(&mut self, result: &Result<T, Failure>) {
-        let is_over = self.end().is_some_and(|end| self.session.now() >= end);
-        if is_over && result.as_ref().is_err_and(Failure::is_unheard) {
-            self.notes.push(both!(
-                "--duration was over before that was answered: the stop did not wait for it",
-                "--duration war um, ehe das beantwortet war: der Halt hat darauf nicht gewartet"
-            ));
-        }
+    pub(super) fn stops_the_clock<T>(&mut self, result: Result<T, Failure>) -> Result<T, Failure> {
+        let is_late = self.is_late();
         self.counts_no_more();
+        result.map_err(|failure| if is_late && failure.is_unheard() { cut_off(failure) } else { failure })
     }
 
     async fn hold_on(

@@ -303,7 +303,7 @@ impl<'a, 's> Motor<'a, 's> {
             );
             Err(Failure::new(Class::Bug, "bug.panic", text))
         });
-        self.stops_the_clock(&result);
+        let result = self.stops_the_clock(result);
         // What goes on is looked at once more before it is left; what ends, behind its stop.
         let result = if hold { result } else { self.kept(result).await };
         let because = match &result {

@@ -63,25 +63,33 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    /// Writes a setting of the mode; it is given back at the end of a run that is bounded.
-    async fn engage(&mut self, param: &Param, value: i64, known: impl Fn(i64) -> bool) -> Result<(), Failure> {
-        self.touched = true;
-        self.remember_if(param, 0, value, known).await?;
-        self.write(param, 0, value).await
-    }
-
-    /// Selects the operating mode, if the family has any, proves that it is active, and writes what it needs.
+    /// Selects the operating mode, if the family has any, and proves that it is active.
     pub async fn enter(&mut self) -> Result<(), Failure> {
         let Some(mode) = self.mode.clone() else { return Ok(()) };
         let family = self.target.family.clone();
         if let (Some(value), Some(selects), Some(shows)) = (mode.value, family.role("mode"), family.role("mode-active"))
         {
             // 0 is no mode that could be given back.
-            self.engage(selects, value, |old| family.modes.iter().any(|mode| mode.value == Some(old))).await?;
+            self.touched = true;
+            let is_mode = |old| family.modes.iter().any(|mode| mode.value == Some(old));
+            self.remember_if(selects, 0, value, is_mode).await?;
+            self.write(selects, 0, value).await?;
             self.until_mode((selects, shows), value, &mode.text()).await?;
         }
+        Ok(())
+    }
+
+    /// Writes what makes the setpoint of the mode count: the shaft turns from there on, unless it stands at 0.
+    pub async fn make_it_count(&mut self) -> Result<(), Failure> {
+        let Some(mode) = self.mode.clone() else { return Ok(()) };
         for preset in &mode.engage {
-            self.engage(&family.param_or_unknown(preset.param), preset.value, |_| true).await?;
+            let param = self.target.family.param_or_unknown(preset.param);
+            self.touched = true;
+            self.remember(&param, 0, preset.value).await?;
+            if !mode.zero {
+                self.may_turn();
+            }
+            self.write(&param, 0, preset.value).await?;
         }
         Ok(())
     }
@@ -192,20 +200,20 @@ impl Motor<'_, '_> {
             self.tell_held();
             self.comes_to("held", by);
         }
-        let reached = self.until_reached().await;
-        let over = self.session.is_over();
-        self.session.end_at(None);
-        match reached {
-            Err(failure) if over && (failure.is_unheard() || failure.code == TIME_OVER) => {
+        match self.until_reached().await {
+            // The stop takes the start back.
+            Err(failure) if self.session.is_over() && (failure.is_unheard() || failure.code == TIME_OVER) => {
                 self.notes.push(both!(
                     "the movement was not at its end when --duration was over",
                     "die Fahrt war nicht zu Ende, als --duration um war"
                 ));
+                return Ok(());
             }
             reached => reached?,
         }
         let enable = self.target.family.machine.command("enable").map_or(0, |command| command.word);
-        self.write_control(enable).await
+        let said = self.write_control(enable).await;
+        self.or_over(said)
     }
 
     /// Waits until the drive says that the setpoint is reached, as long as the shaft still changes. A drive that shows
@@ -221,19 +229,23 @@ impl Motor<'_, '_> {
         let mut has_fallen = travels || looks == 1;
         loop {
             self.demand_time()?;
-            let status = self.look_on().await?;
+            self.mind_control().await?;
             self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
             let movement = self.movement().await?;
+            // The drive's own band may be wide: what its ramp asks for must be what it will run at.
+            let is_through = self.ramp_is_through().await?;
+            // The state comes last: where it shows that, the time of the run begins, and nothing is left to ask.
+            let status = self.works_on().await?;
             if status >> bit & 1 == 0 {
                 (fell, has_fallen) = (self.session.now(), true);
             }
             let changed = watch.see(self.session.now(), movement).changes;
-            // The drive's own band may be wide: what its ramp asks for must be what it will run at.
-            let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
+            let reached = status >> bit & 1 == 1 && is_through;
             self.note_actual(reached, movement);
-            let is_through = reached && self.is_near(movement);
-            told = if is_through && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
+            let is_there = reached && self.is_near(movement);
+            told = if is_there && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
             if told >= looks && (has_fallen || self.session.now().since(fell) >= LAG) {
+                self.arrived(self.shown.map_or(self.session.now(), |(_, at)| at));
                 return Ok(());
             }
             // On its way to a target a shaft may turn evenly for long.
@@ -242,7 +254,7 @@ impl Motor<'_, '_> {
                 wait.renew(self.session.now());
             }
             if wait.is_over(self.session.now()) {
-                if reached && !is_through {
+                if reached && !is_there {
                     return Err(self.in_its_band_only());
                 }
                 let text = both!(
@@ -314,9 +326,18 @@ impl Motor<'_, '_> {
         }
     }
 
+    /// The status of a drive that runs or is about to, and now and then who has control.
+    pub(super) async fn look_on(&mut self) -> Result<u32, Failure> {
+        let status = self.works_on().await?;
+        if self.enabled {
+            self.mind_control().await?;
+        }
+        Ok(status)
+    }
+
     /// The status of a drive that runs or is about to; an error if it tripped or, having been enabled, is so no longer:
     /// then the run is over, before the enable comes back and the shaft runs up by itself.
-    pub(super) async fn look_on(&mut self) -> Result<u32, Failure> {
+    async fn works_on(&mut self) -> Result<u32, Failure> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status);
         match state.slug.as_str() {
@@ -325,7 +346,6 @@ impl Motor<'_, '_> {
                 if self.lever == Lever::ControlWord && self.is_remote(status).is_some_and(|remote| self.lost(remote)) {
                     return Err(self.taken().await);
                 }
-                self.mind_control().await?;
             }
             slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
             _ if !self.enabled => {}

@@ -196,6 +196,10 @@ impl Motor<'_, '_> {
     /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it, and so is that
     /// nothing tells.
     async fn proven(&mut self, mut stop: Stop, proof: Proof) -> Stop {
+        if self.no_zero_stops() {
+            let (_, shown) = self.mode_shown().await;
+            self.instead = self.instead.take().or_else(|| left_mode(self.mode.as_ref(), shown.as_ref()));
+        }
         let off = self.lever != Lever::Taken || has_power(&proof.state.slug) == Some(false);
         stop.acknowledged = off
             && match proof.standing {
@@ -250,6 +254,9 @@ impl Motor<'_, '_> {
         if !row.zero {
             return Some(row.clone());
         }
+        if self.no_zero_stops() {
+            return row.otherwise.as_ref().map_or(Some(row), |slug| family.motion.stop(slug)).cloned();
+        }
         self.zero_at_once().await;
         let (told, shown) = self.mode_shown().await;
         self.instead = self.instead.take().or_else(|| left_mode(self.mode.as_ref(), shown.as_ref()));
@@ -267,6 +274,12 @@ impl Motor<'_, '_> {
             self.instead = self.instead.take().or_else(|| self.shows_no_mode(told));
         }
         other.map_or(Some(row), |slug| family.motion.stop(slug)).cloned()
+    }
+
+    /// Whether the run works in a mode of the drive in which no setpoint 0 stops it. What stops it there does so in every mode, and goes
+    /// out before anything is asked.
+    fn no_zero_stops(&self) -> bool {
+        self.entered && self.mode.as_ref().is_some_and(|mode| mode.value.is_some() && !mode.zero_stops())
     }
 
     /// Sets the setpoint that was given to 0 before the drive is asked for its mode: in any other it moves nothing, and a line

@@ -156,6 +156,7 @@ impl Exchange<'_, '_> {
         }
         self.prepare(wait, run).await?;
         let word = self.mode().start(value);
+        self.lasts = duration.filter(|_| !until).map(|duration| duration + lead.takes);
         let maximum = match (self.mode().is_basic(), is_hertz) {
             // A word is 0.01 Hz there, and so 4000h is 163.84 Hz.
             (true, _) => *run.maximum.insert(FULL),
@@ -169,7 +170,6 @@ impl Exchange<'_, '_> {
         let first = lead.first.value();
         run.given = Some(first);
         let hsw = self.hsw(first, maximum);
-        self.lasts = duration.filter(|_| !until).map(|duration| duration + lead.takes);
         self.start(Words { stw: word, hsw }, wait, run).await?;
         self.turns(hsw, wait, run).await?;
         self.lasts = None;
@@ -260,7 +260,9 @@ impl Exchange<'_, '_> {
         // From here on the motor may turn, whatever becomes of it.
         (self.ours, self.started) = (true, true);
         self.words = words;
-        self.turns_from(begun);
+        if self.ends.is_none() {
+            self.turns_from(begun);
+        }
         run.setpoints += 1;
         run.reached = Some(false);
         loop {
@@ -295,6 +297,7 @@ impl Exchange<'_, '_> {
         self.start(Words { stw: word, hsw }, wait, run).await?;
         let begun = self.line.now();
         let told = loop {
+            self.demand_time()?;
             self.obeying().await?;
             let told = self.told(SETPOINT).await?.map_or(0, |told| i64::from(told & 0xFFFF));
             if told != 0 || self.line.now().since(begun) > wait {

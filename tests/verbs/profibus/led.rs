@@ -5,6 +5,7 @@ use super::rig::{Came, Hand, RESTS, Said, die, does, module, no_lost_port_leaves
 use crate::run::antrieb;
 use antrieb::drive::Button;
 use antrieb::outcome::{Event, Record};
+use antrieb::tick::Span;
 
 const TAKES: &str = "--enable --hold --take-control --watchdog 2s";
 /// 4000h is 50 Hz there.
@@ -209,5 +210,23 @@ fn dice_over_keys_leave_no_shaft_turning() {
         came.holds(&what);
         let fastest = came.moments().iter().map(|moment| moment.shaft).max().unwrap();
         assert!(fastest <= 1_900, "{what}: {fastest}");
+    }
+}
+
+/// The small setpoint at which the scale is measured turns the motor as well.
+#[test]
+fn the_time_of_a_run_counts_from_the_first_word_that_starts_the_motor() {
+    for (line, readings) in [("20Hz", ""), ("40%", ""), ("20Hz", "a004 = \"0.1hz\"")] {
+        for duration in [400, 1_000, 3_000] {
+            let line = format!("sollwert {line} --enable --hold --duration {duration}ms --take-control --watchdog 2s");
+            let came = does(&line, &module(RESTS, readings, ""), Hand::default());
+            let moments = came.moments();
+            let starts = moments.iter().position(|moment| matches!(moment.said, Said::Words(0x047F, _))).unwrap();
+            let ends = moments[starts..].iter().find(|moment| matches!(moment.said, Said::Words(0x047E, _))).unwrap();
+            let took = ends.at.since(moments[starts].at);
+            // A cycle behind its end comes the stop.
+            let most = Span::from_millis(duration + 60);
+            assert!(took <= most, "{line} {readings}: {took}");
+        }
     }
 }
