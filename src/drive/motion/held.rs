@@ -54,10 +54,15 @@ impl Motor<'_, '_> {
         self.clock = Clock::Approaches(lasts);
     }
 
-    /// The setpoint is reached, which was shown then.
-    pub(super) fn arrived(&mut self, shown: Tick) {
+    /// Whether the time of the run begins at its setpoint.
+    pub(super) fn approaches(&self) -> bool {
+        matches!(self.clock, Clock::Approaches(_))
+    }
+
+    /// The setpoint is reached, as the last answer has shown: so the time of the run began with that.
+    pub(super) fn begins_there(&mut self) {
         if let Clock::Approaches(lasts) = self.clock {
-            self.begins(shown, lasts);
+            self.begins(self.heard, lasts);
         }
     }
 

@@ -229,23 +229,20 @@ impl Motor<'_, '_> {
         let mut has_fallen = travels || looks == 1;
         loop {
             self.demand_time()?;
-            self.mind_control().await?;
+            let status = self.look_on().await?;
             self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
             let movement = self.movement().await?;
-            // The drive's own band may be wide: what its ramp asks for must be what it will run at.
-            let is_through = self.ramp_is_through().await?;
-            // The state comes last: where it shows that, the time of the run begins, and nothing is left to ask.
-            let status = self.works_on().await?;
             if status >> bit & 1 == 0 {
                 (fell, has_fallen) = (self.session.now(), true);
             }
             let changed = watch.see(self.session.now(), movement).changes;
-            let reached = status >> bit & 1 == 1 && is_through;
+            // The drive's own band may be wide: what its ramp asks for must be what it will run at.
+            let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
             self.note_actual(reached, movement);
             let is_there = reached && self.is_near(movement);
             told = if is_there && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
-            if told >= looks && (has_fallen || self.session.now().since(fell) >= LAG) {
-                self.arrived(self.shown.map_or(self.session.now(), |(_, at)| at));
+            let is_told = told >= looks && (has_fallen || self.session.now().since(fell) >= LAG);
+            if is_told && self.arrives(bit).await? {
                 return Ok(());
             }
             // On its way to a target a shaft may turn evenly for long.
@@ -267,6 +264,15 @@ impl Motor<'_, '_> {
         }
     }
 
+    /// Whether the drive still says so behind all that was asked meanwhile, where the time of a run is to begin with it.
+    async fn arrives(&mut self, bit: u8) -> Result<bool, Failure> {
+        let is_there = !self.approaches() || self.works_on().await? >> bit & 1 == 1;
+        if is_there {
+            self.begins_there();
+        }
+        Ok(is_there)
+    }
+
     /// The failure of a setpoint that the drive's own limits make another one.
     pub fn bent(&self, told: i64, runs_at: i64) -> Failure {
         let family = &self.target.family;
@@ -283,7 +289,7 @@ impl Motor<'_, '_> {
     /// Whether the ramp asks for what the drive will run at, as far as both are known.
     async fn ramp_is_through(&mut self) -> Result<bool, Failure> {
         let Some((_, goal)) = self.expects else { return Ok(true) };
-        let ramp = self.role_raw("setpoint-ramp").await?;
+        let ramp = self.bear(async |motor: &mut Self| motor.role_raw("setpoint-ramp").await).await?;
         Ok(ramp.is_none_or(|ramp| ramp.abs_diff(goal) <= (goal.unsigned_abs() / 500).max(RAMP_BAND)))
     }
 

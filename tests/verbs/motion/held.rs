@@ -299,6 +299,7 @@ fn a_setpoint_that_stands_already_counts_once_it_has_stood_and_a_new_one_as_soon
             motor.prepare(&mode);
             motor.walk("operation-enabled").await?;
             motor.enter().await?;
+            motor.make_it_count().await?;
             for &rpm in speeds {
                 motor.give(&param, rpm, "rpm").await?;
                 motor.until_reached().await?;

@@ -24,6 +24,7 @@ async fn turn(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Mo
             motor.prepare(&mode);
             motor.walk("operation-enabled").await?;
             motor.enter().await?;
+            motor.make_it_count().await?;
             motor.give(&param, 600, "1/min").await?;
             motor.until_reached().await
         })
@@ -43,6 +44,7 @@ fn a_setpoint_that_stands_in_a_servo_does_not_start_it() {
                 let mut motor = Motor::new(session, target, permit, None);
                 motor.prepare(family.mode(mode).unwrap());
                 motor.enter().await.unwrap();
+                motor.make_it_count().await.unwrap();
                 motor.set(family.param(setpoint).unwrap(), 900).await.unwrap();
                 let mut motor = Motor::new(session, target, permit, None);
                 motor.walk("operation-enabled").await.unwrap();
@@ -116,6 +118,7 @@ fn behind_node_guarding_the_way_out_is_walked_and_everything_given_back() {
                         motor.prepare(&mode);
                         motor.walk("operation-enabled").await?;
                         motor.enter().await?;
+                        motor.make_it_count().await?;
                         motor.give(&param, 600, "1/min").await?;
                         motor.until_reached().await?;
                         motor.hold(Some(Span::from_secs(60)), async |_: &mut Motor<'_, '_>, _| Ok(())).await

@@ -220,6 +220,7 @@ fn a_setpoint_that_is_refused_was_not_given() {
         motor.prepare(mode);
         motor.walk("operation-enabled").await?;
         motor.enter().await?;
+        motor.make_it_count().await?;
         motor.give(speed, 300, "rpm").await?;
         motor.until_reached().await?;
         let refused = motor.give(speed, 600, "rpm").await;

@@ -188,7 +188,7 @@ fn ramps_and_profiles_lead_the_setpoint() {
 
 #[test]
 fn control_goes_back_only_where_that_does_not_start_the_drive() {
-    let run = "-a 1 --yes sollwert 5Hz --take-control --enable --hold --duration 50ms";
+    let run = "-a 1 --yes sollwert 5Hz --take-control --enable --hold --duration 500ms";
     let virtual_contacts = bench("act", "set = { \"412\" = 2, \"434\" = 2 }");
     let given = antrieb(run).on(&virtual_contacts).json().exits(0);
     assert_eq!((given.data("/changed/0/restored"), given.data("/running")), (&json!(true), &json!(false)));

@@ -317,6 +317,7 @@ fn a_watchdog_that_only_writes_feed_is_fed_in_every_wait_and_hold() {
             if let Some(id) = mode.denominator {
                 motor.set(&family.param_or_unknown(id), 3).await?;
             }
+            motor.make_it_count().await?;
             motor.give(&param, raw, "").await?;
             match mode.starts.first() {
                 Some(start) => motor.travel(start).await?,

@@ -157,6 +157,7 @@ fn a_ramp_gives_the_setpoint_0_before_it_asks_for_the_mode_and_only_where_0_stop
             motor.prepare(&mode);
             motor.walk("operation-enabled").await?;
             motor.enter().await?;
+            motor.make_it_count().await?;
             motor.give(&family.param_or_unknown(mode.setpoint), raw, "").await?;
             if let Some(start) = mode.starts.first() {
                 motor.travel(start).await?;
@@ -250,6 +251,7 @@ fn a_zero_goes_to_the_mode_that_the_drive_shows_and_to_no_other() {
                 motor.set(family.param(other).unwrap(), 700).await.unwrap();
                 motor.prepare(family.mode(slug).unwrap());
                 motor.enter().await.unwrap();
+                motor.make_it_count().await.unwrap();
                 motor.set(family.param(own).unwrap(), 300).await.unwrap();
                 let registry = Registry::open(&[]).unwrap();
                 let meant = Meant { address: 1, family: Some(family), order: None };
@@ -273,6 +275,7 @@ fn the_mode_of_a_shaft_that_stands_may_be_changed() {
             motor.prepare(family.mode("velocity").unwrap());
             motor.walk("operation-enabled").await.unwrap();
             motor.enter().await.unwrap();
+            motor.make_it_count().await.unwrap();
             let state = look(session, target).await.unwrap().state;
             may_change_mode(session, target, &state, family.mode("speed").unwrap()).await.unwrap();
         },
@@ -345,6 +348,7 @@ fn a_short_watchdog_is_fed_in_every_wait() {
         motor.prepare(&mode);
         motor.walk("operation-enabled").await?;
         motor.enter().await?;
+        motor.make_it_count().await?;
         motor.give(&param, 300, "1/min").await?;
         motor.until_reached().await?;
         motor.hold(Some(Span::from_secs(1)), async |_: &mut Motor<'_, '_>, _| Ok(())).await

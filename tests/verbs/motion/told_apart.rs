@@ -101,6 +101,7 @@ fn a_shaft_that_somebody_else_turns_is_named_with_its_mode() {
             motor.prepare(mode);
             motor.walk("operation-enabled").await.unwrap();
             motor.enter().await.unwrap();
+            motor.make_it_count().await.unwrap();
             motor.give(family.param(mode.setpoint).unwrap(), 300, "rpm").await.unwrap();
             motor.until_reached().await.unwrap();
             let jog = family.mode("jog").unwrap();
