@@ -32,7 +32,7 @@ use report::{aftermath, report};
 pub(super) use several::{lines, stop_each};
 use unstopped::{but_said, unstopped};
 pub(super) use unstopped::{kept_back, unsent};
-pub(super) use verdict::interrupted;
+pub(super) use verdict::{interrupted, with_its_stop};
 use whom::{first_said, meant, stop_harder, whom};
 
 /// The modes of a family in which something is meant.

@@ -37,7 +37,8 @@ pub(super) struct Options {
     column: Vec<(String, String)>,
     /// What every row says: access=rw (repeatable)
     ///
-    /// Only of rows that say nothing themselves.
+    /// Only of rows that say nothing themselves. `370.type=long`: what the row with this number says,
+    /// whatever stands there. `type.int=long`: what a word means that stands in a field.
     #[arg(long, value_name = "FIELD=WORD", value_parser = pair)]
     set: Vec<(String, String)>,
     /// A family of its own, reached over plain Modbus

@@ -1,7 +1,7 @@
 //! What came of a run over PROFIBUS, as it is reported, and what is shown of it meanwhile.
 
 use super::job::{Action, Job};
-use crate::command::running::{interrupted, kept_back};
+use crate::command::running::{interrupted, kept_back, with_its_stop};
 use crate::drive::EndedBy;
 use crate::drive::profibus::{Ending, Run, Seen, Wanted, coasting, off, state};
 use crate::failure::{Class, Failure};
@@ -45,6 +45,16 @@ pub(super) fn report(
         Err(failure) if failure.class == Class::Interrupted => "interrupted",
         Err(_) => "error",
     };
+    let stop = Stop {
+        choice,
+        escalated: (coasted && choice != "coast").then_some("coast"),
+        because,
+        acknowledged: is_dark,
+        standing,
+        state: now.and_then(state),
+        note: (is_dark && has_turned && standing.is_none()).then(off),
+    };
+    let done = done.map_err(|why| if told.run.setpoints > 0 { with_its_stop(why, &stop, !has_turned) } else { why });
     let is_unproven = is_dark && has_turned && choice == "ramp" && standing != Some(true);
     let mut failure = match (left, done.err()) {
         (Some(left), Some(why)) if left.code != why.code => Some(together(left, &why)),
@@ -59,15 +69,6 @@ pub(super) fn report(
     if job.is_stop() && seen.is_none() {
         failure = failure.map(kept_back);
     }
-    let stop = Stop {
-        choice,
-        escalated: (coasted && choice != "coast").then_some("coast"),
-        because,
-        acknowledged: is_dark,
-        standing,
-        state: now.and_then(state),
-        note: (is_dark && has_turned && standing.is_none()).then(off),
-    };
     let data = Motion {
         address,
         drive: family.drive.clone(),

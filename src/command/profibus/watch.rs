@@ -72,7 +72,7 @@ pub(in crate::command) async fn watch(job: Watch<'_>, context: &mut Context<'_>)
             return Ok(Outcome { data: None, warnings, failure: Some(left.unwrap_or(failure)) });
         }
     };
-    outcome.warnings.extend(by_others.map(|left| Warning { code: left.code.to_string(), message: left.message }));
+    outcome.warnings.extend(by_others.map(|left| Warning { code: left.code.to_string(), message: left.told() }));
     outcome.warnings.push(Warning { code: "profibus.let_go".to_owned(), message: parting });
     outcome.warnings.extend(beside);
     Ok(outcome)

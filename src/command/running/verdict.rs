@@ -87,9 +87,7 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
         return if failure.class == Class::Port { dangerous(failure, family) } else { failure };
     }
     let runs_on = stop.acknowledged && running == Some(true);
-    let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
-    let came = came_of(stop, done.idle);
-    failure.message = both!("{why}; {way}: {came}", "{why}; {way}: {came}", why = failure.message, came);
+    failure = with_its_stop(failure, stop, done.idle);
     if runs_on {
         let again = still_running(family);
         failure.message = both!("{why}; {again}", "{why}; {again}", why = failure.message, again = again.message);
@@ -108,6 +106,14 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
         true if is_unproven(stop) && !done.idle && done.crept.is_none() => warned(failure),
         true => failure,
     }
+}
+
+/// What ended a run, and what came of its stop.
+pub(in crate::command) fn with_its_stop(failure: Failure, stop: &Stop, idle: bool) -> Failure {
+    let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
+    let message =
+        both!("{why}; {way}: {came}", "{why}; {way}: {came}", why = failure.message, came = came_of(stop, idle));
+    Failure { message, ..failure }
 }
 
 /// What came of a stop, so that nobody takes a shaft without power for one that stands.

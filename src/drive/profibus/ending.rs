@@ -12,13 +12,15 @@ use crate::drive::panel::Lingering;
 use crate::drive::{Panel, Stays, last_told};
 use crate::exchange::dp::{Cycle, Place, Request};
 use crate::failure::Failure;
-use crate::outcome::{Change, Warning};
+use crate::outcome::{Change, Event, Warning};
 use crate::protocol::dp::pkw::Pkw;
 use crate::text::Text;
 use crate::tick::{Span, Tick};
 
 /// So long a frequency may stay as it is before something stronger is done, and then before the stop is given up.
 const STUCK: Span = Span::from_secs(10);
+/// A frequency that stays for so long is told, because somebody may have to stop the motor otherwise.
+const DEAF: Span = Span::from_secs(3);
 /// So often what goes back is said again where nothing was answered.
 const SAID_AGAIN: u8 = 2;
 /// So long at least the stop of a motor goes out where nobody is heard.
@@ -184,8 +186,8 @@ impl Exchange<'_, '_> {
             return Ok(());
         }
         let mut moved: (Option<i32>, Tick) = (None, self.line.now());
-        // What P.614 tells where HIW is 0.
-        let mut told = None;
+        // What P.614 tells where HIW is 0, and whether it was told that the frequency stays.
+        let (mut told, mut is_told) = (None, false);
         loop {
             let Cycle::Inputs(_) = self.cycle().await? else { continue };
             let now = self.line.now();
@@ -199,11 +201,16 @@ impl Exchange<'_, '_> {
             if moved.0 != frequency {
                 moved = (frequency, now);
             } else if now.since(moved.1) > STUCK {
+                let unproven = trouble::unproven(self.address(), self.seen, told);
                 if !self.ours || self.still.coasts || self.mode().is_basic() {
-                    return Err(trouble::unproven(self.address(), self.seen, told));
+                    return Err(unproven);
                 }
                 self.take_power();
+                let message = Text::join([&trouble::coasts_instead(), &unproven.message], "; ");
+                self.tell(Event::Note(Failure { message, ..unproven }.told_whole()));
                 moved.1 = now;
+            } else if self.ours && now.since(moved.1) > DEAF && !std::mem::replace(&mut is_told, true) {
+                self.tell(Event::Note(trouble::unproven(self.address(), self.seen, told).told_whole()));
             }
         }
     }

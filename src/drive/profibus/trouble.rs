@@ -176,20 +176,21 @@ pub(super) fn unproven(address: u8, seen: Option<Seen>, told: Option<u32>) -> Fa
         seen => format!("{:04X}h (HIW)", seen.map_or(0, |seen| seen.hiw & 0xFFFF)),
     };
     let message = both!(
-        "station {address}: the stop word goes out, but the frequency stays at {told}: THE MOTOR MAY TURN",
-        "Station {address}: das Stoppwort geht hinaus, aber die Frequenz bleibt bei {told}: DER MOTOR KANN DREHEN"
+        "station {address}: the stop word goes out, but the frequency stays at {told}",
+        "Station {address}: das Stoppwort geht hinaus, aber die Frequenz bleibt bei {told}"
     );
     let hint = match seen.and_then(|seen| seen.state) {
         None => both!(
-            "it may be run by its terminals or its keypad (P.928 is not 1 then); stop it there",
-            "vielleicht fährt er über Klemmen oder Bedienfeld (P.928 ist dann nicht 1); dort anhalten"
+            "what stops it now: its terminals or its keypad where they run it (P.928 is not 1 then), the emergency stop, or the mains",
+            "was ihn jetzt anhält: Klemmen oder Bedienfeld, wenn er darüber fährt (P.928 ist dann nicht 1), Not-Halt oder Netz"
         ),
         Some(_) => both!(
-            "it may be run by its terminals or its keypad; stop it there, by the emergency stop or the mains",
-            "vielleicht fährt er über Klemmen oder Bedienfeld; dort, mit Not-Halt oder Netz anhalten"
+            "what stops it now: its terminals or its keypad where they run it, the emergency stop, or the mains",
+            "was ihn jetzt anhält: Klemmen oder Bedienfeld, wenn er darüber fährt, Not-Halt oder Netz"
         ),
     };
-    Failure::new(Class::Forbidden, NOT_STILL, message).with("address", address).hint(hint)
+    let failure = Failure::new(Class::Forbidden, NOT_STILL, message).with("address", address).hint(hint);
+    Failure { alarm: true, ..failure }
 }
 
 /// In Basic mode there are no parameters.

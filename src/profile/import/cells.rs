@@ -119,6 +119,21 @@ pub(super) fn kind(text: &str) -> Kind {
     }
 }
 
+/// Whether two words are the same but for case, blanks and punctuation; such that are only punctuation, letter by letter.
+pub(super) fn is_same(one: &str, other: &str) -> bool {
+    one.trim() == other.trim() || (!dense(one).is_empty() && dense(one) == dense(other))
+}
+
+/// A word by which a list tells 16 bits from others that it may call int.
+pub(super) fn is_short(text: &str) -> bool {
+    matches!(dense(text).as_str(), "short" | "ushort" | "unsignedshort" | "shortint")
+}
+
+/// A word that means 16 bits to some and 32 to others.
+pub(super) fn is_plain_int(text: &str) -> bool {
+    matches!(dense(text).as_str(), "int" | "uint" | "signed" | "unsigned" | "integer" | "unsignedint")
+}
+
 /// Who may read and write.
 pub(super) fn access(text: &str) -> Option<Access> {
     Some(match dense(text).as_str() {

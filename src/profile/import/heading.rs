@@ -1,7 +1,7 @@
 //! Which column is which: by its heading in German or English, by its contents where a word means two things.
 
 use super::cells::{self, dense};
-use super::draft::{ColumnTaken, ImportError, Wishes};
+use super::draft::{ColumnTaken, ImportError, Whom, Wishes};
 use super::export::COLUMNS;
 use super::sheet::Record;
 use crate::text::both;
@@ -97,9 +97,9 @@ fn fits(field: &str, heading: &str) -> Option<u8> {
 
 /// Finds the headings, wherever they stand below a title, and takes the columns for what they are.
 pub(super) fn find(records: &[Record], wishes: &Wishes) -> Result<Head, ImportError> {
-    if let Some((wrong, _)) =
-        wishes.columns.iter().chain(&wishes.sets).find(|wish| !fields().contains(&wish.0.as_str()))
-    {
+    let columns_of_none = wishes.columns.iter().filter(|wish| !fields().contains(&wish.0.as_str()));
+    let sets_of_none = wishes.sets.iter().filter(|wish| Whom::of(&wish.0).is_none());
+    if let Some((wrong, _)) = columns_of_none.chain(sets_of_none).next() {
         let known = fields().join(", ");
         return Err(ImportError::at(
             0,

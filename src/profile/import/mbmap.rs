@@ -63,6 +63,13 @@ pub fn mbmap(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
         let why = both!("the list \"registers\" is missing", "die Liste \"registers\" fehlt");
         return Err(ImportError::at(1, why));
     };
+    if let Some((field, _)) = wishes.sets.iter().chain(&wishes.columns).next() {
+        let why = both!(
+            "'{field}': --set and --column are for tables; an MBMap says itself what each register is",
+            "'{field}': --set und --column gehören zu Tabellen; eine MBMap sagt selbst, was jedes Register ist"
+        );
+        return Err(ImportError::at(0, why));
+    }
     let device = Device::of(&map, wishes)?;
     let lines = lines_of_registers(&text);
     let mut found = Imported { format: "mbmap", encoding, own: device.own(&map), ..Imported::default() };

@@ -1,7 +1,7 @@
 //! A spreadsheet of a site or a supplier, as rows of a catalogue.
 
 use super::cells::{self, Kind};
-use super::draft::{Draft, ImportError, Imported, LeftOut, Wishes};
+use super::draft::{Draft, ImportError, Imported, LeftOut, Whom, Wishes};
 use super::export::RAW;
 use super::heading::{self, Head};
 use super::sheet::{self, Record};
@@ -48,7 +48,9 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let unused = unused.map(|(_, cell)| cell.clone()).collect();
     let records = records.get(head.rows_from..).unwrap_or(&[]);
     let commas = records.iter().flat_map(|record| &record.cells).any(|cell| cells::has_comma(cell));
-    let mut list = List { head: &head, wishes, commas, odd: Vec::new() };
+    let wide = List::has_short(records, &head);
+    let mut list = List { head: &head, wishes, commas, wide, odd: Vec::new() };
+    list.check_wishes(records)?;
     list.check_base(records)?;
     let (mut drafts, mut left_out) = (Vec::new(), Vec::new());
     for record in records {
@@ -100,6 +102,8 @@ struct List<'a> {
     wishes: &'a Wishes,
     /// Its decimal point is a comma.
     commas: bool,
+    /// Its `int` may have 32 bits.
+    wide: bool,
     odd: Vec<Odd>,
 }
 
@@ -139,8 +143,46 @@ impl Odd {
 impl List<'_> {
     /// What a row says of a field, or every row.
     fn get<'r>(&'r self, record: &'r Record, field: &str) -> Option<&'r str> {
-        let cell = self.head.column(field).map(|column| record.cell(column)).filter(|cell| !cell.is_empty());
-        cell.or_else(|| self.wishes.set(field))
+        let number = self.cell(record, "id").and_then(cells::id);
+        let of_row = self.wishes.said(|whom| matches!(whom, Whom::Row(id, of) if Some(id) == number && of == field));
+        let means = |cell: &'r str| {
+            self.wishes
+                .said(|whom| matches!(whom, Whom::Word(of, word) if of == field && cells::is_same(word, cell)))
+                .unwrap_or(cell)
+        };
+        let cell = || self.cell(record, field).map(means);
+        of_row.or_else(cell).or_else(|| self.wishes.of_every(field))
+    }
+
+    fn cell<'r>(&self, record: &'r Record, field: &str) -> Option<&'r str> {
+        self.head.column(field).map(|column| record.cell(column)).filter(|cell| !cell.is_empty())
+    }
+
+    /// A row or a word that does not occur is a slip of the pen.
+    fn check_wishes(&self, records: &[Record]) -> Result<(), ImportError> {
+        let occurs = |whom: Whom<'_>| match whom {
+            Whom::Every(_) => true,
+            Whom::Row(id, _) => records.iter().any(|record| self.cell(record, "id").and_then(cells::id) == Some(id)),
+            Whom::Word(field, word) => {
+                records.iter().any(|record| self.cell(record, field).is_some_and(|cell| cells::is_same(word, cell)))
+            }
+        };
+        let Some((key, word)) = self.wishes.sets.iter().find(|set| !Whom::of(&set.0).is_some_and(occurs)) else {
+            return Ok(());
+        };
+        Err(ImportError::at(
+            0,
+            both!(
+                "--set {key}={word}: the list has no such row, and no such word in that column",
+                "--set {key}={word}: die Liste hat keine solche Zeile und kein solches Wort in der Spalte"
+            ),
+        ))
+    }
+
+    /// Whether it calls 16 bits short, so that its int may well have 32.
+    fn has_short(records: &[Record], head: &Head) -> bool {
+        let column = head.column("type");
+        records.iter().any(|record| column.is_some_and(|column| cells::is_short(record.cell(column))))
     }
 
     fn text(&self, record: &Record, field: &str) -> Option<String> {
@@ -246,6 +288,14 @@ impl List<'_> {
 
     fn kind(&mut self, record: &Record, draft: &mut Draft) -> Result<(), Text> {
         let Some(word) = self.text(record, "type") else { return Ok(()) };
+        if self.wide && cells::is_plain_int(&word) {
+            let what = both!(
+                "beside 'short' this may have 16 bits or 32, so it stays open: --set type.int=int16, or int32",
+                "neben 'short' können das 16 oder 32 Bit sein, es bleibt offen: --set type.int=int16 oder int32"
+            );
+            self.note(record.line, what, &word);
+            return Ok(());
+        }
         match cells::kind(&word) {
             Kind::Is(Type::String) if self.wishes.own => return Err(cells::cannot(&word)),
             Kind::Cannot => return Err(cells::cannot(&word)),
@@ -255,8 +305,10 @@ impl List<'_> {
                 draft.limits[0] = Some("0".to_owned());
             }
             Kind::Unknown => {
-                let what =
-                    both!("this type is not known, so it stays open", "dieser Typ ist unbekannt und bleibt offen");
+                let what = both!(
+                    "this type is not known, so it stays open; --set type.WORD=int says what it means",
+                    "dieser Typ ist unbekannt und bleibt offen; --set type.WORT=int sagt, was er heißt"
+                );
                 self.note(record.line, what, &word);
             }
         }
@@ -341,8 +393,8 @@ impl List<'_> {
             Some(access) => draft.access = access,
             None => {
                 let what = both!(
-                    "this access is not known, taken as r (read only)",
-                    "dieser Zugriff ist unbekannt, genommen wird r (nur lesen)"
+                    "this access is not known, taken as r (read only); --set access.WORD=rw says what it means",
+                    "dieser Zugriff ist unbekannt, genommen wird r (nur lesen); --set access.WORT=rw sagt, was es heißt"
                 );
                 self.note(record.line, what, &cell);
             }
@@ -413,7 +465,7 @@ impl List<'_> {
 
     /// Nobody said who may write.
     fn open_access(&self) -> Option<Text> {
-        let is_open = self.head.column("access").is_none() && self.wishes.set("access").is_none();
+        let is_open = self.head.column("access").is_none() && self.wishes.of_every("access").is_none();
         let read = Access::Read.name();
         is_open.then(|| {
             both!(

@@ -62,6 +62,8 @@ pub(crate) enum Event {
     Contact(bool),
     /// The wire to the module is cut, or whole again.
     Cut(bool),
+    /// A load keeps the shaft from becoming slower.
+    Dragged(bool),
 }
 
 /// A module as it is built.
@@ -285,6 +287,7 @@ impl Profibus {
                     Event::Trip => slave.trips(now),
                     Event::Contact(is_closed) => slave.module.contact(now, is_closed),
                     Event::Cut(is_cut) => slave.is_cut = is_cut,
+                    Event::Dragged(is_dragged) => slave.module.inverter.motor.drag(now, is_dragged),
                 }
             }
         }

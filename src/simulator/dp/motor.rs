@@ -14,6 +14,8 @@ pub(crate) struct Motor {
     /// Maximum frequency.
     pub(crate) full: i64,
     is_fed: bool,
+    /// A load keeps the shaft from becoming slower as long as it has power.
+    dragged: bool,
 }
 
 /// How long a shaft without power goes on turning from full speed.
@@ -23,7 +25,7 @@ const BRAKING: Span = Span::from_millis(500);
 
 impl Motor {
     pub(crate) fn new(full: i64) -> Self {
-        Motor { at: Tick::ZERO, from: 0, to: 0, ramp: Span::from_secs(1), full, is_fed: false }
+        Motor { at: Tick::ZERO, from: 0, to: 0, ramp: Span::from_secs(1), full, is_fed: false, dragged: false }
     }
 
     /// Speed of the shaft.
@@ -49,11 +51,20 @@ impl Motor {
 
     /// Goes to a frequency by a ramp.
     pub(crate) fn go(&mut self, now: Tick, to: i64, ramp: Span) {
-        let to = to.clamp(-self.full, self.full);
+        let (to, shaft) = (to.clamp(-self.full, self.full), self.shaft(now));
+        let to = if self.dragged && to.abs() < shaft.abs() { shaft } else { to };
         if self.is_fed && (self.to, self.ramp) == (to, ramp) {
             return;
         }
-        *self = Motor { at: now, from: self.shaft(now), to, ramp, is_fed: true, ..*self };
+        *self = Motor { at: now, from: shaft, to, ramp, is_fed: true, ..*self };
+    }
+
+    /// A load drags it from now on, or no more.
+    pub(crate) fn drag(&mut self, now: Tick, is_dragged: bool) {
+        self.dragged = is_dragged;
+        if is_dragged {
+            self.hold(now);
+        }
     }
 
     /// Stops by a ramp; at rest the power goes.

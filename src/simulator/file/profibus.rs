@@ -81,6 +81,7 @@ struct EventTable {
     trip: bool,
     contact: Option<bool>,
     cut: Option<bool>,
+    dragged: Option<bool>,
 }
 
 /// Speeds that a slave finds by itself (fieldbus facts: what adapters reach).
@@ -171,6 +172,7 @@ impl BenchFile<'_> {
             events.extend(event.trip.then_some((at, Event::Trip)));
             events.extend(event.contact.map(|is_closed| (at, Event::Contact(is_closed))));
             events.extend(event.cut.map(|is_cut| (at, Event::Cut(is_cut))));
+            events.extend(event.dragged.map(|is_dragged| (at, Event::Dragged(is_dragged))));
         }
         Ok(Setup { kind, address, ident: row.ident.unwrap_or(IDENT), readings, set, events })
     }

@@ -167,3 +167,41 @@ fn pictures_of_a_run_over_profibus_are_those_of_the_bench() {
     let came = held("--view", &[(400, Button::Stop), (1_000, Button::End)]);
     are_documented("run-profibus", &came.story, &[("held", 12, false), ("stopping", 1, false)]);
 }
+
+/// As on every other line, and not only with the end: whoever stands beside it must know at once.
+#[test]
+fn a_stop_that_is_not_obeyed_is_told_at_once_and_stays() {
+    for (mode, most) in [("", 22), ("--mode basic", 12)] {
+        let run = if mode.is_empty() { RUN.to_owned() } else { RUN.replace(" --take-control", "") };
+        let dragged = module(RESTS, "", &event("6s", "dragged = true"));
+        let buttons = &[(300, Button::Stop), (2_000, Button::End)][..];
+        let came = does(&format!("{run} --view {mode}"), &dragged, Hand { buttons, ..Hand::default() });
+        let is_alarm =
+            |event: &Event| matches!(event, Event::Note(told) if told.en.starts_with("THE SHAFT MAY STILL TURN"));
+        let stopping = came
+            .story
+            .iter()
+            .position(|event| matches!(event, Event::Record(record) if matches!(&**record, Record::Run(news) if news.phase == "stopping")))
+            .unwrap();
+        let behind = &came.story[stopping..];
+        let alarm = behind.iter().position(is_alarm).unwrap_or_else(|| panic!("{mode}: {:?}", came.failure()));
+        let samples = |events: &[Event]| {
+            events
+                .iter()
+                .filter(|event| matches!(event, Event::Record(record) if matches!(**record, Record::Sample(_))))
+                .count()
+        };
+        // One sample in 250 ms, and 3 s.
+        assert!((8..=most).contains(&samples(&behind[..alarm])), "{mode}: {}", samples(&behind[..alarm]));
+        let Event::Note(told) = &behind[alarm] else { panic!("{mode}") };
+        assert!(told.en.contains("what stops it now") && told.de.contains("was ihn jetzt anhält"), "{mode}: {told:?}");
+        assert_eq!(came.code().1, 8, "{mode}: {:?}", came.failure());
+        assert!(came.failure().unwrap().alarm, "{mode}");
+    }
+}
+
+#[test]
+fn who_interrupts_a_run_is_told_what_came_of_its_stop() {
+    let came = does(RUN, &module(RESTS, "", ""), Hand { presses: &[300], ..Hand::default() });
+    assert_eq!(came.failure().unwrap().message.en, "interrupted; ramp: the stop was acknowledged");
+}

@@ -157,6 +157,11 @@ pub(in crate::drive::profibus) fn not_reached(address: u8) -> Failure {
     ))
 }
 
+/// What is said where the ramp is not obeyed.
+pub(in crate::drive::profibus) fn coasts_instead() -> Text {
+    both!("ramp is not obeyed: coast (OFF3) in its place", "ramp wird nicht befolgt: stattdessen coast (OFF3)")
+}
+
 /// Somebody ended a run.
 pub(in crate::drive::profibus) fn ended() -> Failure {
     Failure::new(Class::Interrupted, "interrupted", both!("interrupted", "unterbrochen"))
