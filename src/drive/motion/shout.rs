@@ -208,8 +208,8 @@ pub struct Call<'m> {
     /// Its answers come, and late.
     slow: bool,
     first: FirstWord,
-    /// It refused the words of its family.
-    refused: bool,
+    /// So many of its words were refused one after the other.
+    refusals: usize,
     /// It is told those of the others too.
     widened: bool,
     ended: Option<Result<(), AccessError>>,
@@ -233,7 +233,7 @@ impl<'m> Call<'m> {
             again: false,
             slow: false,
             first: FirstWord::default(),
-            refused: false,
+            refusals: 0,
             widened: false,
             ended: command_of(act).is_none().then_some(Ok(())),
         }
@@ -322,7 +322,7 @@ impl<'m> Call<'m> {
         let round = self.words.len();
         let long = self.said >= round && self.begun.is_some_and(|begun| session.now().since(begun) >= SHOUTING);
         let often = (long || self.said >= usize::from(self.times) * round) && self.untold.is_empty();
-        let widens = self.goes_on() && (often || self.refused) && self.widen(session, registry);
+        let widens = self.goes_on() && (often || self.refusals > 0) && self.widen(session, registry);
         if self.goes_on() && often && !widens {
             self.ended = Some(Ok(()));
         }
@@ -407,13 +407,13 @@ impl<'m> Call<'m> {
                     self.was_heard(&family, is_late, looks);
                 }
                 // Who is busy may take it a moment later.
-                Some(no) => self.refused |= !no.passes(),
+                Some(no) => self.refusals += usize::from(!no.passes()),
             },
             Err(error) if error.is_fatal() => {
                 self.words.push_front((family, word));
                 return Err(error);
             }
-            _ => {}
+            _ => self.refusals = 0,
         }
         self.words.push_back((family, word));
         Ok(pressed)
@@ -442,11 +442,15 @@ impl<'m> Call<'m> {
         }
     }
 
+    /// Whether every word of the families that it may be of is refused, in both word orders where these are not known, or there is none.
+    fn is_refused(&self) -> bool {
+        self.refusals >= self.words.len()
+    }
+
     /// Who refuses the words of its family, or cannot be told them, may be of another one, and runs.
     fn widen(&mut self, session: &mut Session<'_>, registry: &Registry) -> bool {
         let may_be = self.families.as_deref().unwrap_or_default();
-        let is_refused = self.refused || self.words.is_empty();
-        let Some((named, others)) = others(registry, may_be).filter(|_| is_refused && !self.widened) else {
+        let Some((named, others)) = others(registry, may_be).filter(|_| self.is_refused() && !self.widened) else {
             return false;
         };
         let Some(why) = doubted(self.meant, &named) else { return false };

@@ -217,6 +217,22 @@ fn a_servo_hears_its_stop_in_both_word_orders_at_once() {
     }
 }
 
+/// Which half comes first is not known yet, so one of both telegrams is refused: that is no refusal of the stop.
+#[test]
+fn a_word_that_is_refused_in_one_order_of_its_halves_is_no_stop_that_is_refused() {
+    for order in [0, 1] {
+        let bench = format!("[[drive]]\nmodel = \"lxm05\"\nset = {{ MBdword_order = {order} }}\n");
+        for verb in VERBS {
+            let run = antrieb(&format!("-v -a 1 --drive lxm05 statemachine {verb}")).on(&bench).exits(0);
+            assert!(first(&run.err, &["01 10 1B 02 00 02 04"]).is_some_and(|at| at < 100.0), "{}", run.err);
+            assert!(!run.err.contains("is --drive right?"), "{order} {verb}: {}", run.err);
+        }
+    }
+    // Who is another one refuses both.
+    let run = antrieb("-b 115200 -a 1 --drive lxm05 statemachine quick-stop").on(&active("acu", 1, "")).run();
+    assert!(run.err.contains("is --drive right?"), "{}", run.err);
+}
+
 #[test]
 fn over_vabus_nobody_is_asked_who_he_is() {
     for (name, how) in LINES {
