@@ -124,6 +124,8 @@ pub struct Motor<'a, 's> {
     encoder: Option<Option<Param>>,
     /// How the drive is set to end a ramp stop, if its frequency does not show that; once it was asked.
     ending: Option<Option<Blind>>,
+    /// Answers that were doubted when the stop began.
+    doubts: u64,
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
     /// The drive was enabled as the stop began.
@@ -235,6 +237,7 @@ impl<'a, 's> Motor<'a, 's> {
             sight: Sight::default(),
             encoder: None,
             ending: None,
+            doubts: 0,
             stopping: false,
             had_power: false,
             entered: false,

@@ -58,7 +58,7 @@ impl Motor<'_, '_> {
         let begun = self.begin_to_stop(choice, because == "interrupted");
         // Who has pressed more than once before it was his turn is not put off with the first.
         let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
-        let mut hurry = way != choice;
+        let (mut hurry, mut is_unheard) = (way != choice, false);
         if hurry {
             self.tell_stronger(choice, way, true);
             stop.escalated = Some(way.slug());
@@ -69,8 +69,14 @@ impl Motor<'_, '_> {
                 stop.escalated = Some(way.slug());
                 self.stops_by(way.slug());
             }
+            let tried = self.session.now();
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
-                Ok(proof) => return self.proven(stop, proof).await,
+                Ok(proof) => {
+                    if is_unheard {
+                        self.notes_silence(tried.since(begun));
+                    }
+                    return self.proven(stop, proof).await;
+                }
                 Err(failure) => failure,
             };
             match (failure.class, self.stronger(way)) {
@@ -96,6 +102,7 @@ impl Motor<'_, '_> {
                 }
                 // As long as the drive answers now and then the stop goes out to it.
                 _ if failure.is_unheard() => {
+                    is_unheard = true;
                     let given_up = tries >= STOP_TRIES && self.gives_up(begun).await;
                     // Who has just answered was reached, and does not obey.
                     self.unheard = given_up && self.session.now().since(self.heard) >= UNHEARD;
@@ -153,6 +160,7 @@ impl Motor<'_, '_> {
             self.tell_stopping(choice);
         }
         self.stopping = true;
+        self.doubts = self.session.tally().fences;
         self.had_power = self.enabled && self.sight.on == Some(true);
         // A drive on its way to operation shows for a while that it is without power.
         self.shown = None;

@@ -136,3 +136,16 @@ fn an_interrupt_of_the_stop_of_a_coasting_shaft_names_no_other_stop() {
         assert_eq!((came.stop().standing, came.turning), (Some(false), 1), "{told}");
     }
 }
+
+/// It lost its power and came back, or was only not heard: nobody knows, so nobody is told that the stop was what brought it to rest.
+#[test]
+fn a_stop_that_was_heard_only_seconds_later_says_so() {
+    let drive = "[[drive]]\nmodel = \"lxm05\"\n[[drive.event]]\nat = \"1366ms\"\npower_cycle = true\n";
+    for way in ["quick-stop", "coast"] {
+        let line = format!("-a 1 --drive lxm05 --yes sollwert 900rpm --enable --hold --duration 1s --on-exit {way}");
+        let run = antrieb(&line).on(drive).run();
+        assert!(run.out.contains("nothing answered the stop for"), "{way}: {} {}", run.out, run.err);
+        let calm = antrieb(&line).on("[[drive]]\nmodel = \"lxm05\"\n").exits(0);
+        assert!(!calm.out.contains("nothing answered the stop for"), "{way}: {}", calm.out);
+    }
+}

@@ -28,3 +28,24 @@ fn a_second_drive_that_answers_long_behind_the_first_leaves_nothing_proven() {
         }
     }
 }
+
+/// Both answer at the same moment, so that what comes is garbage and the end of one of them.
+#[test]
+fn what_was_seen_last_counts_for_nothing_where_two_drives_answer_into_each_other() {
+    let drive = "[[drive]]\nmodel = \"acu\"\nset = { \"434\" = 3, \"228\" = 15 }\n";
+    let mut unproven = 0;
+    for from in 38..60 {
+        let twin: String = (from..from + 400)
+            .map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"twin\"\nby = \"20ms\"\n"))
+            .collect();
+        let line = "-a 1 --yes statemachine enable --take-control --hold --duration 1s --on-exit quick-stop";
+        let run = antrieb(line).on(&format!("{drive}{twin}")).run();
+        if run.out.contains("NOT proven") || run.out.contains("NOT acknowledged") {
+            unproven += 1;
+            let told = format!("{from}: {} {}", run.out, run.err);
+            assert!(run.exit != 0 && run.err.contains("error: THE SHAFT MAY STILL TURN"), "{told}");
+            assert!(!told.contains("last seen at"), "{told}");
+        }
+    }
+    assert!(unproven > 5, "{unproven}");
+}

@@ -2,6 +2,7 @@
 
 use super::super::Motor;
 use super::super::still::STOPPED;
+use crate::text::both;
 use crate::tick::{Span, Tick};
 
 /// The stop is given up when the drive has not answered for so long.
@@ -10,6 +11,8 @@ const SILENT: Span = Span::from_secs(10);
 pub(in crate::drive::motion) const PURSUED: Span = Span::from_secs(20);
 /// The same where somebody waits for what only takes motion away.
 pub(super) const PURSUED_ALONE: Span = Span::from_secs(6);
+/// A silence behind a stop that is told.
+const UNTOLD: Span = Span::from_secs(1);
 /// Who interrupts the strongest stop waits so long for it to be heard and proven.
 const HURRIED: Span = Span::from_secs(3);
 /// A drive that has been silent for long is asked no longer than this how it is, whatever `--timeout` says.
@@ -20,6 +23,16 @@ impl Motor<'_, '_> {
     pub(super) fn has_time_for_a_word(&mut self) {
         if self.relieving.is_some() && self.session.is_over() {
             self.ends_within(HURRIED);
+        }
+    }
+
+    /// A drive that hears its stop so much later may have done anything meanwhile, such as coast without power.
+    pub(super) fn notes_silence(&mut self, span: Span) {
+        if span >= UNTOLD {
+            self.notes.push(both!(
+                "nothing answered the stop for {span}: what the shaft did meanwhile is not known",
+                "{span} lang hat nichts auf den Halt geantwortet: was die Welle inzwischen tat, ist unbekannt"
+            ));
         }
     }
 

@@ -8,6 +8,8 @@ use crate::outcome::State;
 use crate::profile::{Mode, StopRow};
 use crate::text::{Text, both};
 
+/// So many answers to a stop may be doubted on any line.
+const DOUBTS: u64 = 3;
 /// States from which a drive comes up again: no ramp ends there.
 const ANEW: &[&str] = &["not-ready", "switch-on-disabled"];
 
@@ -54,8 +56,12 @@ impl Motor<'_, '_> {
         }
     }
 
-    /// What was seen last of a shaft that was about to stand as its power went: half a unit at most. Nobody saw it stand.
+    /// What was seen last of a shaft that was about to stand as its power went: half a unit at most. Nobody saw it stand. Where answers
+    /// were doubted again and again another drive may have given them.
     pub fn crept(&self) -> Option<Text> {
+        if self.session.tally().fences > self.doubts + DOUBTS {
+            return None;
+        }
         let param = self.target.family.role("movement")?;
         let raw = self.sight.crept(10i64.pow(param.decimals_or_zero().into()) / 2)?;
         let last = shown(param, raw);
