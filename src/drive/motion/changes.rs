@@ -10,7 +10,7 @@ use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Stop};
 use crate::profile::{DataSets, Family, Param};
-use crate::text::both;
+use crate::text::{Text, both};
 use std::fmt;
 
 /// What keeps a change that is about to be made, so that it can be given back by whoever comes when this program is gone.
@@ -188,23 +188,29 @@ impl Motor<'_, '_> {
 
     /// Where a run went wrong: whether what it has set in RAM is gone, as behind a power failure.
     pub(super) async fn notes_restart(&mut self) {
+        let undone = self.undone().await;
+        self.notes.extend(undone);
+    }
+
+    /// That what the run has set in RAM is gone.
+    pub(super) async fn undone(&mut self) -> Option<Text> {
         // A drive may end with the run by itself what makes a setpoint count.
         let family = self.target.family.clone();
         let stays = |change: &&Change| !family.motion.rest.iter().any(|row| row.param == change.param);
         let changed = self.changes.iter().filter(stays).find(|change| change.old != change.new);
-        let Some(change) = changed.cloned() else { return };
+        let change = changed.cloned()?;
         let param = family.param_or_unknown(change.param);
         let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
         let now = raw(self.session, self.target, &param, change.data_set + ram).await;
-        if now.is_ok_and(|now| now == Some(change.old)) {
-            self.notes.push(both!(
+        now.is_ok_and(|now| now == Some(change.old)).then(|| {
+            both!(
                 "{name} is {old} again, which this run has not set back: the drive has restarted, or somebody else writes to it",
                 "{name} ist wieder {old}, ohne dass dieser Lauf es zurückstellte: der Antrieb ist neu gestartet, oder jemand \
                  anderes schreibt",
                 name = change.name,
                 old = change.old
-            ));
-        }
+            )
+        })
     }
 
     /// Gives back what was changed; settings that decide whether the drive still obeys only once it stands.

@@ -73,7 +73,7 @@ impl Motor<'_, '_> {
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => {
                     if is_unheard {
-                        self.notes_silence(tried.since(begun));
+                        self.notes_silence(tried.since(begun)).await;
                     }
                     return self.proven(stop, proof).await;
                 }
@@ -307,7 +307,7 @@ impl Motor<'_, '_> {
 
     /// What the drive shows of its mode, and which that is; of a family without modes what was set. Asked once: what needs no
     /// mode can stop it too.
-    async fn mode_shown(&mut self) -> (Option<i64>, Option<Mode>) {
+    pub(super) async fn mode_shown(&mut self) -> (Option<i64>, Option<Mode>) {
         let family = self.target.family.clone();
         let Some(shows) = family.role("mode-active") else { return (None, self.mode.clone()) };
         let retries = self.session.set_retries(0);

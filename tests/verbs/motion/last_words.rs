@@ -137,14 +137,41 @@ fn an_interrupt_of_the_stop_of_a_coasting_shaft_names_no_other_stop() {
     }
 }
 
-/// It lost its power and came back, or was only not heard: nobody knows, so nobody is told that the stop was what brought it to rest.
+/// It lost its power and came back: the stop that it hears then is not what brought its shaft to rest.
+#[test]
+fn a_drive_that_restarted_in_the_last_moments_of_its_run_was_not_stopped() {
+    for at in [700, 1_400, 1_500] {
+        let cycle = format!("[[drive.event]]\nat = \"{at}ms\"\npower_cycle = true\n");
+        for (drive, model, value) in [
+            ("set = { IOposInterfac = 1 }\nservo = { guide = 163840 }\n", "lxm05", "900rpm"),
+            ("set = { IOposInterfac = 1 }\nservo = { guide = 163840 }\n", "lxm05", "3A"),
+            ("set = { IOposInterfac = 1 }\nservo = { guide = 163840 }\n", "lxm05", "2/3"),
+            ("set = { IOposInterfac = 1 }\nservo = { guide = 163840 }\n", "lxm05", "90000000usr --start absolute"),
+            ("set = { \"434\" = 3, \"228\" = 0 }\n", "acu", "10Hz --take-control"),
+        ] {
+            let drive = format!("[[drive]]\nmodel = \"{model}\"\n{drive}");
+            for way in ["ramp", "quick-stop", "coast"] {
+                let line = format!(
+                    "-a 1 --drive {model} --yes sollwert {value} --enable --hold --duration 1s --on-exit {way}"
+                );
+                let run = antrieb(&line).on(&format!("{drive}{cycle}")).run();
+                assert!([4, 8].contains(&run.exit), "{at} {line}: exit {} {} {}", run.exit, run.out, run.err);
+                let calm = antrieb(&line).on(&drive).run();
+                assert!(!format!("{}{}", calm.out, calm.err).contains("restart"), "{line}: {}", calm.out);
+            }
+        }
+    }
+}
+
+/// A silence alone is none of that, but nobody knows what happened in it.
 #[test]
 fn a_stop_that_was_heard_only_seconds_later_says_so() {
-    let drive = "[[drive]]\nmodel = \"lxm05\"\n[[drive.event]]\nat = \"1366ms\"\npower_cycle = true\n";
-    for way in ["quick-stop", "coast"] {
+    let drive = "[[drive]]\nmodel = \"lxm05\"\n[[drive.event]]\nat = \"1366ms\"\nsilent = \"3s\"\n";
+    for way in ["ramp", "quick-stop", "coast"] {
         let line = format!("-a 1 --drive lxm05 --yes sollwert 900rpm --enable --hold --duration 1s --on-exit {way}");
         let run = antrieb(&line).on(drive).run();
         assert!(run.out.contains("nothing answered the stop for"), "{way}: {} {}", run.out, run.err);
+        assert!(!run.err.contains("restart"), "{way}: {} {}", run.out, run.err);
         let calm = antrieb(&line).on("[[drive]]\nmodel = \"lxm05\"\n").exits(0);
         assert!(!calm.out.contains("nothing answered the stop for"), "{way}: {}", calm.out);
     }

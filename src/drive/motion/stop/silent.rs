@@ -2,7 +2,7 @@
 
 use super::super::Motor;
 use super::super::still::STOPPED;
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 
 /// The stop is given up when the drive has not answered for so long.
@@ -27,13 +27,32 @@ impl Motor<'_, '_> {
     }
 
     /// A drive that hears its stop so much later may have done anything meanwhile, such as coast without power.
-    pub(super) fn notes_silence(&mut self, span: Span) {
-        if span >= UNTOLD {
-            self.notes.push(both!(
-                "nothing answered the stop for {span}: what the shaft did meanwhile is not known",
-                "{span} lang hat nichts auf den Halt geantwortet: was die Welle inzwischen tat, ist unbekannt"
+    pub(super) async fn notes_silence(&mut self, span: Span) {
+        if span < UNTOLD {
+            return;
+        }
+        self.notes.push(both!(
+            "nothing answered the stop for {span}: what the shaft did meanwhile is not known",
+            "{span} lang hat nichts auf den Halt geantwortet: was die Welle inzwischen tat, ist unbekannt"
+        ));
+        if self.instead.is_none() {
+            self.instead = self.has_restarted().await;
+        }
+    }
+
+    /// What shows that a drive which was silent has restarted, so that its shaft coasted before any stop came to it.
+    async fn has_restarted(&mut self) -> Option<Text> {
+        if self.entered
+            && let (Some(told), None) = self.mode_shown().await
+        {
+            let label = self.target.family.role_label("mode-active");
+            return Some(both!(
+                "the drive had lost its mode of operation ({label} = {told}), as behind a restart: the shaft may have coasted before",
+                "der Antrieb hatte seine Betriebsart verloren ({label} = {told}), wie nach einem Neustart: die Welle lief vorher \
+                 vielleicht aus"
             ));
         }
+        self.undone().await
     }
 
     /// How often somebody has pressed since this was asked last.
