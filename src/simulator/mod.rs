@@ -27,7 +27,7 @@ mod tests;
 mod totals;
 
 pub use bench::Bench;
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 pub(crate) use can::adapter::{Adapter, Out as AdapterOut, Quirks as AdapterQuirks};
 pub use can::bus::Can;
 pub use device::contract::Servo;

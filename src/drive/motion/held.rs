@@ -80,9 +80,14 @@ impl Motor<'_, '_> {
 
     /// A word goes out that can turn the shaft: from here on nothing puts off what the run says, nor its end.
     pub(super) fn may_turn(&mut self) {
-        if let Clock::Waits(lasts) = self.clock {
-            self.session.insist(true);
-            self.begins(self.session.now(), lasts);
+        match self.clock {
+            Clock::Waits(lasts) => {
+                self.session.insist(true);
+                self.begins(self.session.now(), lasts);
+            }
+            // No question on the way keeps anybody from seeing that the setpoint is reached.
+            Clock::Approaches(_) => self.session.insist(true),
+            Clock::Stopped | Clock::Runs { .. } => {}
         }
     }
 

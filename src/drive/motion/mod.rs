@@ -347,11 +347,16 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     /// Sends the stop once more to a drive that could not be reached before, and runs.
+    ///
+    /// In the way that was said last, and whoever did not wait for that is not kept waiting for this either.
     pub async fn stop_after_all(&mut self, stop: &Stop) -> Stop {
-        let stop = self.stop(StopChoice::of(stop.choice), stop.because).await;
+        let Stop { choice, escalated, because, .. } = *stop;
+        let stop = self.stop(StopChoice::of(escalated.unwrap_or(choice)), because).await;
+        let stop = Stop { choice, escalated: stop.escalated.or(escalated), ..stop };
         self.session.insist(false);
-        self.ends_within(ENDING);
-        self.give_back(self.may_give_back(Some(&stop))).await;
+        let gives_back = self.may_give_back(Some(&stop)) && !(self.hurried && self.unheard);
+        self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
+        self.give_back(gives_back).await;
         stop
     }
 

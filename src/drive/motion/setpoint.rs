@@ -230,7 +230,9 @@ impl Motor<'_, '_> {
         loop {
             self.demand_time()?;
             let status = self.look_on().await?;
-            self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
+            if status >> bit & 1 == 0 {
+                self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
+            }
             let movement = self.movement().await?;
             if status >> bit & 1 == 0 {
                 (fell, has_fallen) = (self.session.now(), true);

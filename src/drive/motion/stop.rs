@@ -103,7 +103,8 @@ impl Motor<'_, '_> {
                 // As long as the drive answers now and then the stop goes out to it.
                 _ if failure.is_unheard() => {
                     is_unheard = true;
-                    let given_up = tries >= STOP_TRIES && self.gives_up(begun).await;
+                    let is_last = hurry && self.stronger(way).is_none();
+                    let given_up = (is_last || tries >= STOP_TRIES) && self.gives_up(begun, is_last).await;
                     // Who has just answered was reached, and does not obey.
                     self.unheard = given_up && self.session.now().since(self.heard) >= UNHEARD;
                     if given_up {
@@ -123,6 +124,11 @@ impl Motor<'_, '_> {
                 (Class::Forbidden, None)
                     if self.relieving.is_some() && self.session.now().since(begun) >= PURSUED_ALONE =>
                 {
+                    break;
+                }
+                // Who works on as if nothing had been said may still obey his setpoint.
+                (Class::Forbidden, None) if tries >= STOP_TRIES && self.works => {
+                    stop.standing = self.zero_as_the_last().await;
                     break;
                 }
                 _ if tries >= STOP_TRIES => break,
@@ -156,7 +162,7 @@ impl Motor<'_, '_> {
 
     /// What everything else waits for from now on; returns when it began.
     fn begin_to_stop(&mut self, choice: StopChoice, interrupted: bool) -> Tick {
-        if interrupted {
+        if interrupted && !self.hurried {
             self.tell_stopping(choice);
         }
         self.stopping = true;
@@ -172,6 +178,9 @@ impl Motor<'_, '_> {
         if self.relieving.is_none() {
             self.bound = None;
             self.session.end_at(None);
+        }
+        if self.hurried {
+            self.hurries();
         }
         self.has_time_for_a_word();
         begun
@@ -410,8 +419,8 @@ impl Motor<'_, '_> {
         self.zeroed = None;
         self.zero().await.ok()?;
         self.notes.push(both!(
-            "it refuses its control word; the setpoint went to 0 in its place",
-            "er lehnt sein Steuerwort ab; stattdessen ging der Sollwert auf 0"
+            "it does not obey its control word; the setpoint went to 0 in its place",
+            "er befolgt sein Steuerwort nicht; stattdessen ging der Sollwert auf 0"
         ));
         self.standstill().await.ok().flatten()
     }

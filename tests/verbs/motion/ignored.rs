@@ -2,6 +2,8 @@
 //! promises, alone and beside others.
 
 use super::beside::{drive, of, running};
+use crate::run::antrieb;
+use antrieb::transport::witness;
 
 const IGNORES: &str = "[[drive.event]]\nat = \"0s\"\nignores = 410";
 
@@ -30,6 +32,27 @@ fn who_ignores_his_stop_gets_the_strongest_soon_and_is_given_up_in_time() {
             if let Some(at) = addresses.split(',').position(|address| address == "2") {
                 assert_eq!(of(&run, at).1, None, "{told}");
             }
+        }
+    }
+}
+
+/// What is left of a run whose drive ignores its control word: its setpoint, which it may still obey.
+#[test]
+fn who_ignores_his_control_word_in_a_run_gets_the_setpoint_0_in_the_end() {
+    for model in ["act", "acu"] {
+        for protocol in ["rtu", "ascii", "vabus"] {
+            let bench = format!(
+                "[[drive]]\nmodel = \"{model}\"\nprotocol = \"{protocol}\"\n\
+                 set = {{ \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }}\n\
+                 [[drive.event]]\nat = \"2500ms\"\nignores = 410\n"
+            );
+            let line = "sollwert 10Hz --enable --hold --duration 4s";
+            let run = antrieb(&format!("--protocol {protocol} -a 1 --drive {model} --yes {line}")).on(&bench).json();
+            let (left, _) = witness::left().unwrap();
+            let told = format!("{protocol} {model}: {:#} {}", run.value, run.err);
+            assert_eq!((run.exit, left.totals().turning), (8, 0), "{told}");
+            assert!(run.data("/notes").to_string().contains("the setpoint went to 0 in its place"), "{told}");
+            assert!(run.err.contains("THE SHAFT MAY STILL TURN"), "{told}");
         }
     }
 }

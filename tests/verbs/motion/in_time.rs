@@ -1,6 +1,8 @@
 //! `--duration` counts from the word that can turn the shaft: of every mode and protocol, whether its answer is lost or late.
 
+use super::keypad;
 use crate::run::{Output, antrieb};
+use antrieb::tick::Span;
 
 /// A run, what goes out first of all that can turn the shaft, and what takes that away.
 #[derive(Clone, Copy)]
@@ -218,5 +220,46 @@ fn a_time_that_is_shorter_than_an_answer_is_no_fault_of_the_line() {
         assert!(!run.out.contains("somebody else"), "{line}: {}", run.out);
         let german = antrieb(&format!("--lang de {line}")).on(&format!("{drive}{late}")).run();
         assert!(german.err.contains("--duration länger wählen"), "{line}: {}", german.err);
+    }
+}
+
+/// Who interrupts a stop again and again waits no longer, though the drive answers late and seems to run on.
+#[test]
+fn who_interrupts_the_strongest_stop_is_not_kept_waiting() {
+    let servo = "set = { RAMPacc = 3000, RAMPdecel = 3000 }\n";
+    for (model, keys, line, from) in [
+        ("lxm05", servo, "sollwert 900rpm --enable --hold", 74),
+        ("acu", "set = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\n", "sollwert 20Hz --enable --hold", 74),
+    ] {
+        for late in ["3s", "6s"] {
+            let bad: String = (from / 2..from / 2 + 300)
+                .map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"late\"\nby = \"{late}\"\n"))
+                .collect();
+            let mut pressed = Vec::new();
+            let seen =
+                keypad::run((model, &format!("{keys}{bad}"), line), "--timeout 60s", &mut |telegram, at, hand| {
+                    if telegram >= from && pressed.len() < 3 {
+                        pressed.push(at);
+                        hand.press();
+                    }
+                });
+            let took = seen.at.since(*pressed.last().unwrap());
+            assert_eq!(pressed.len(), 3);
+            assert!(took < Span::from_secs(25), "{model} {late}: {took} {pressed:?} {:?}", seen.notes);
+            assert!(seen.failure.is_some(), "{model} {late}");
+        }
+    }
+}
+
+/// Nor does a line on which each question takes a time-out keep anybody from seeing that the setpoint is reached.
+#[test]
+fn on_the_way_to_a_setpoint_no_question_takes_longer_than_in_the_run() {
+    let doubled = "[[disturb]]\nevery = 1\nkind = \"doubled\"\nby = \"20ms\"\n";
+    for timeout in ["", "--timeout 10s "] {
+        let line = "sollwert 300rpm --enable --until reached --hold --duration 1s";
+        let turn = of(SERVO, line, "01 10 1B 1A 00 02 04 00 00 01", "01 10 1B 1A 00 02 04 00 00 00 00");
+        let run = runs(&turn, timeout, doubled);
+        let (begun, ended) = turned(&turn, &run).unwrap();
+        assert!(ended.is_some_and(|ended| ended - begun < 8_000.0), "{timeout}: {begun} {ended:?}");
     }
 }

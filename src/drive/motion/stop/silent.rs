@@ -85,10 +85,11 @@ impl Motor<'_, '_> {
     }
 
     /// Whether a stop that brings no answers is given up: as long as the drive answers now and then it goes out to it.
-    pub(super) async fn gives_up(&mut self, begun: Tick) -> bool {
+    /// `hurry`: somebody has asked for the strongest, and so for an end.
+    pub(super) async fn gives_up(&mut self, begun: Tick, hurry: bool) -> bool {
         self.session.note_interrupts();
         let now = self.session.now();
-        let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
+        let limit = if self.relieving.is_some() || hurry { PURSUED_ALONE } else { PURSUED };
         let pursued = now.since(begun) >= limit || self.session.is_over();
         pursued || (now.since(self.heard) >= SILENT && !self.runs_on().await)
     }
