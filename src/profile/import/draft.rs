@@ -1,6 +1,5 @@
 //! What comes of a list before it is a catalogue.
 
-use super::{cells, heading};
 use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
 use crate::text::{Text, both};
 
@@ -22,44 +21,6 @@ pub struct Wishes {
     pub ignored: Vec<String>,
     /// The rows are for a family of their own, whose numbers are those of registers.
     pub own: bool,
-}
-
-impl Wishes {
-    /// What every row says of a field that says nothing of it itself.
-    pub(super) fn of_every(&self, field: &str) -> Option<&str> {
-        self.said(|whom| whom == Whom::Every(field))
-    }
-
-    /// What is said of it, the last word first.
-    pub(super) fn said(&self, is_it: impl Fn(Whom<'_>) -> bool) -> Option<&str> {
-        self.sets.iter().rev().find(|set| Whom::of(&set.0).is_some_and(&is_it)).map(|set| set.1.as_str())
-    }
-}
-
-/// What a wish is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Whom<'w> {
-    /// A field of every row that says nothing of it.
-    Every(&'w str),
-    /// A field of the row with this number, as the list has it.
-    Row(u32, &'w str),
-    /// A word that stands in a field.
-    Word(&'w str, &'w str),
-}
-
-impl<'w> Whom<'w> {
-    /// `access`, `370.type`, `P.370.type`, `type.int`; `None` where no field is named.
-    pub(super) fn of(key: &'w str) -> Option<Self> {
-        let is_field = |word: &str| heading::fields().contains(&word);
-        if is_field(key) {
-            return Some(Whom::Every(key));
-        }
-        let row = key.rsplit_once('.').filter(|(_, field)| is_field(field));
-        let row = row.and_then(|(number, field)| Some(Whom::Row(cells::id(number)?, field)));
-        row.or_else(|| {
-            key.split_once('.').filter(|(field, _)| is_field(field)).map(|(field, word)| Whom::Word(field, word))
-        })
-    }
 }
 
 /// A column and what it was taken for.

@@ -1,7 +1,7 @@
 //! Which column is which: by its heading in German or English, by its contents where a word means two things.
 
 use super::cells::{self, dense};
-use super::draft::{ColumnTaken, ImportError, Whom, Wishes};
+use super::draft::{ColumnTaken, ImportError, Wishes};
 use super::export::COLUMNS;
 use super::sheet::Record;
 use crate::text::both;
@@ -93,6 +93,44 @@ fn fits(field: &str, heading: &str) -> Option<u8> {
     let (_, sure, perhaps) = WORDS.iter().find(|row| row.0 == field)?;
     let among = |words: &str| words.split_whitespace().any(|word| word == typed);
     if among(sure) { Some(1) } else { among(perhaps).then_some(2) }
+}
+
+impl Wishes {
+    /// What every row says of a field that says nothing of it itself.
+    pub(super) fn of_every(&self, field: &str) -> Option<&str> {
+        self.said(|whom| whom == Whom::Every(field))
+    }
+
+    /// What is said of it, the last word first.
+    pub(super) fn said(&self, is_it: impl Fn(Whom<'_>) -> bool) -> Option<&str> {
+        self.sets.iter().rev().find(|set| Whom::of(&set.0).is_some_and(&is_it)).map(|set| set.1.as_str())
+    }
+}
+
+/// What a wish is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Whom<'w> {
+    /// A field of every row that says nothing of it.
+    Every(&'w str),
+    /// A field of the row with this number, as the list has it.
+    Row(u32, &'w str),
+    /// A word that stands in a field.
+    Word(&'w str, &'w str),
+}
+
+impl<'w> Whom<'w> {
+    /// `access`, `370.type`, `P.370.type`, `type.int`; `None` where no field is named.
+    pub(super) fn of(key: &'w str) -> Option<Self> {
+        let is_field = |word: &str| fields().contains(&word);
+        if is_field(key) {
+            return Some(Whom::Every(key));
+        }
+        let row = key.rsplit_once('.').filter(|(_, field)| is_field(field));
+        let row = row.and_then(|(number, field)| Some(Whom::Row(cells::id(number)?, field)));
+        row.or_else(|| {
+            key.split_once('.').filter(|(field, _)| is_field(field)).map(|(field, word)| Whom::Word(field, word))
+        })
+    }
 }
 
 /// Finds the headings, wherever they stand below a title, and takes the columns for what they are.

@@ -1,9 +1,9 @@
 //! A spreadsheet of a site or a supplier, as rows of a catalogue.
 
 use super::cells::{self, Kind};
-use super::draft::{Draft, ImportError, Imported, LeftOut, Whom, Wishes};
+use super::draft::{Draft, ImportError, Imported, LeftOut, Wishes};
 use super::export::RAW;
-use super::heading::{self, Head};
+use super::heading::{self, Head, Whom};
 use super::sheet::{self, Record};
 use crate::profile::link::INPUTS;
 use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
