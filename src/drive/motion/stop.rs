@@ -127,7 +127,7 @@ impl Motor<'_, '_> {
                     break;
                 }
                 // Who works on as if nothing had been said may still obey his setpoint.
-                (Class::Forbidden, None) if tries >= STOP_TRIES && self.works => {
+                (Class::Forbidden, None) if tries >= STOP_TRIES && self.works && self.lever != Lever::Setpoint => {
                     stop.standing = self.zero_as_the_last().await;
                     break;
                 }

@@ -290,8 +290,8 @@ impl List<'_> {
         let Some(word) = self.text(record, "type") else { return Ok(()) };
         if self.wide && cells::is_plain_int(&word) {
             let what = both!(
-                "beside 'short' this may have 16 bits or 32, so it stays open: --set type.int=int16, or int32",
-                "neben 'short' können das 16 oder 32 Bit sein, es bleibt offen: --set type.int=int16 oder int32"
+                "beside 'short' this may have 16 bits or 32, so it stays open: --set type.WORD=int16 (uint16, int32, uint32) says which",
+                "neben 'short' können das 16 oder 32 Bit sein, es bleibt offen: --set type.WORT=int16 (uint16, int32, uint32) sagt es"
             );
             self.note(record.line, what, &word);
             return Ok(());
