@@ -49,7 +49,7 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let records = records.get(head.rows_from..).unwrap_or(&[]);
     let commas = records.iter().flat_map(|record| &record.cells).any(|cell| cells::has_comma(cell));
     let wide = List::has_short(records, &head);
-    let mut list = List { head: &head, wishes, commas, wide, odd: Vec::new() };
+    let mut list = List { head: &head, wishes, commas, wide, width: heads.len(), odd: Vec::new() };
     list.check_wishes(records)?;
     list.check_base(records)?;
     let (mut drafts, mut left_out) = (Vec::new(), Vec::new());
@@ -104,6 +104,8 @@ struct List<'a> {
     commas: bool,
     /// Its `int` may have 32 bits.
     wide: bool,
+    /// So many headings.
+    width: usize,
     odd: Vec<Odd>,
 }
 
@@ -236,6 +238,14 @@ impl List<'_> {
     }
 
     fn draft(&mut self, record: &Record) -> Result<Draft, Text> {
+        if let Some(last) = record.cells.iter().rposition(|cell| !cell.is_empty()).filter(|last| *last >= self.width) {
+            return Err(both!(
+                "{cells} cells under {width} headings: a comma in a number, without quotes?",
+                "{cells} Zellen unter {width} Überschriften: ein Komma in einer Zahl, ohne Anführungszeichen?",
+                cells = last + 1,
+                width = self.width
+            ));
+        }
         let id = self.id(record)?;
         let mut draft = Draft::new(record.line, id, self.name(record, id));
         draft.slug = self.text(record, "slug");
@@ -245,6 +255,7 @@ impl List<'_> {
         self.decimals(record, &mut draft);
         self.limits(record, &mut draft);
         self.float(record, &mut draft)?;
+        self.fit(record, &mut draft);
         self.access(record, &mut draft);
         self.words(record, &mut draft);
         draft.enumeration = (self.text(record, "enum"), self.names(record, ["values_en", "values_de"], "values"));
@@ -335,6 +346,27 @@ impl List<'_> {
             // Without a unit a raw number would pass for the value.
             draft.unit.get_or_insert_with(|| format!("× {cell}"));
         }
+    }
+
+    /// A type that its own limits do not fit is not the type.
+    fn fit(&mut self, record: &Record, draft: &mut Draft) {
+        let holds = match draft.kind {
+            Some(Type::Int) => -32_768.0..=32_767.0,
+            Some(Type::Uint) => 0.0..=65_535.0,
+            _ => return,
+        };
+        let scale = 10f64.powi(draft.decimals.unwrap_or(0).into());
+        let raw = |limit: &String| limit.parse::<f64>().ok().map(|limit| (limit * scale).round());
+        if draft.limits.iter().flatten().filter_map(raw).all(|raw| holds.contains(&raw)) {
+            return;
+        }
+        draft.kind = None;
+        let what = both!(
+            "the limits do not fit into this type, so it stays open",
+            "die Grenzen passen nicht in diesen Typ, er bleibt offen"
+        );
+        let word = self.text(record, "type").unwrap_or_default();
+        self.note(record.line, what, &word);
     }
 
     /// A floating point has its decimals in itself, and no limits here.

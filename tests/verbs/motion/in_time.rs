@@ -261,5 +261,13 @@ fn on_the_way_to_a_setpoint_no_question_takes_longer_than_in_the_run() {
         let run = runs(&turn, timeout, doubled);
         let (begun, ended) = turned(&turn, &run).unwrap();
         assert!(ended.is_some_and(|ended| ended - begun < 8_000.0), "{timeout}: {begun} {ended:?}");
+        // Nothing is heard behind the first word that turns it: borne as long as --wait says.
+        for from in 31..40 {
+            let lost: String =
+                (from..from + 250).map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"lost\"\n")).collect();
+            let run = runs(&turn, timeout, &lost);
+            let Some((begun, ended)) = turned(&turn, &run) else { continue };
+            assert!(ended.is_some_and(|ended| ended - begun < 8_500.0), "{timeout} {from}: {begun} {ended:?}");
+        }
     }
 }

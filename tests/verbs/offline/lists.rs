@@ -101,6 +101,17 @@ fn int_beside_short_stays_open_until_somebody_says_what_it_means() {
 }
 
 #[test]
+fn a_row_that_is_shifted_and_a_type_that_its_limits_do_not_fit_are_told() {
+    let list = "Nr,Name,Type,Decimals,Min,Max,Access\n1470,Rampe,int,2,0,00,9999,99,rw\n1471,Druck,uint,0,0,70000,rw\n\
+                1472,Weg,int,1,-3276.8,3276.7,rw\n1473,Lage,int,1,0,3276.8,rw\n";
+    let told = antrieb("params import --drive acu {dir}/a.csv").file("a.csv", list).exits(0).out;
+    assert!(told.contains("left out, line 2: 9 cells under 7 headings"), "{told}");
+    assert!(told.contains("note: lines 3, 5, 2 cells ('uint', 'int'): the limits do not fit"), "{told}");
+    let is_typed = |id: &str| told.lines().any(|line| line.contains(&format!("id = {id},")) && line.contains("type ="));
+    assert_eq!([is_typed("1471"), is_typed("1472"), is_typed("1473")], [false, true, false], "{told}");
+}
+
+#[test]
 fn a_single_row_and_a_word_are_corrected() {
     let list = "Nr;Name;Typ;Zugriff\nP.1470;Eins;int;nie\n1471;Zwei;int;r\n";
     let line = "params import --drive acu {dir}/a.csv --set P.1470.type=long --set 1471.name=Mine --set access.nie=w";
