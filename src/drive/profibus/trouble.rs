@@ -294,7 +294,7 @@ mod tests {
             (seen(0, None), Some(500), "stays at 5.00 Hz (P.614)"),
             (seen(0x2000, None), Some(0), "stays at 2000h (HIW)"),
             (seen(0x2000, None), None, "stays at 2000h (HIW)"),
-            (seen(2_000, Some(1)), None, "stays at 20.00 Hz:"),
+            (seen(2_000, Some(1)), None, "stays at 20.00 Hz"),
         ] {
             let message = unproven(3, seen, told).message;
             assert!(message.en.contains(named), "{message:?}");
