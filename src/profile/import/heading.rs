@@ -77,6 +77,32 @@ impl Head {
     pub(super) fn column(&self, field: &str) -> Option<usize> {
         self.columns.iter().find(|taken| taken.field == field).map(|taken| taken.column - 1)
     }
+
+    /// What a row says of a field.
+    pub(super) fn cell<'r>(&self, record: &'r Record, field: &str) -> Option<&'r str> {
+        self.column(field).map(|column| record.cell(column)).filter(|cell| !cell.is_empty())
+    }
+
+    /// A row or a word that does not occur is a slip of the pen.
+    pub(super) fn check_wishes(&self, records: &[Record], wishes: &Wishes) -> Result<(), ImportError> {
+        let occurs = |whom: Whom<'_>| match whom {
+            Whom::Every(_) => true,
+            Whom::Row(id, _) => records.iter().any(|record| self.cell(record, "id").and_then(cells::id) == Some(id)),
+            Whom::Word(field, word) => {
+                records.iter().any(|record| self.cell(record, field).is_some_and(|cell| cells::is_same(word, cell)))
+            }
+        };
+        let Some((key, word)) = wishes.sets.iter().find(|set| !Whom::of(&set.0).is_some_and(occurs)) else {
+            return Ok(());
+        };
+        Err(ImportError::at(
+            0,
+            both!(
+                "--set {key}={word}: the list has no such row, and no such word in that column",
+                "--set {key}={word}: die Liste hat keine solche Zeile und kein solches Wort in der Spalte"
+            ),
+        ))
+    }
 }
 
 /// Headings over a yes or a no: whether it can be written.

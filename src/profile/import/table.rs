@@ -48,9 +48,9 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let unused = unused.map(|(_, cell)| cell.clone()).collect();
     let records = records.get(head.rows_from..).unwrap_or(&[]);
     let commas = records.iter().flat_map(|record| &record.cells).any(|cell| cells::has_comma(cell));
+    head.check_wishes(records, wishes)?;
     let wide = List::has_short(records, &head);
     let mut list = List { head: &head, wishes, commas, wide, width: heads.len(), odd: Vec::new() };
-    list.check_wishes(records)?;
     list.check_base(records)?;
     let (mut drafts, mut left_out) = (Vec::new(), Vec::new());
     for record in records {
@@ -145,40 +145,15 @@ impl Odd {
 impl List<'_> {
     /// What a row says of a field, or every row.
     fn get<'r>(&'r self, record: &'r Record, field: &str) -> Option<&'r str> {
-        let number = self.cell(record, "id").and_then(cells::id);
+        let number = self.head.cell(record, "id").and_then(cells::id);
         let of_row = self.wishes.said(|whom| matches!(whom, Whom::Row(id, of) if Some(id) == number && of == field));
         let means = |cell: &'r str| {
             self.wishes
                 .said(|whom| matches!(whom, Whom::Word(of, word) if of == field && cells::is_same(word, cell)))
                 .unwrap_or(cell)
         };
-        let cell = || self.cell(record, field).map(means);
+        let cell = || self.head.cell(record, field).map(means);
         of_row.or_else(cell).or_else(|| self.wishes.of_every(field))
-    }
-
-    fn cell<'r>(&self, record: &'r Record, field: &str) -> Option<&'r str> {
-        self.head.column(field).map(|column| record.cell(column)).filter(|cell| !cell.is_empty())
-    }
-
-    /// A row or a word that does not occur is a slip of the pen.
-    fn check_wishes(&self, records: &[Record]) -> Result<(), ImportError> {
-        let occurs = |whom: Whom<'_>| match whom {
-            Whom::Every(_) => true,
-            Whom::Row(id, _) => records.iter().any(|record| self.cell(record, "id").and_then(cells::id) == Some(id)),
-            Whom::Word(field, word) => {
-                records.iter().any(|record| self.cell(record, field).is_some_and(|cell| cells::is_same(word, cell)))
-            }
-        };
-        let Some((key, word)) = self.wishes.sets.iter().find(|set| !Whom::of(&set.0).is_some_and(occurs)) else {
-            return Ok(());
-        };
-        Err(ImportError::at(
-            0,
-            both!(
-                "--set {key}={word}: the list has no such row, and no such word in that column",
-                "--set {key}={word}: die Liste hat keine solche Zeile und kein solches Wort in der Spalte"
-            ),
-        ))
     }
 
     /// Whether it calls 16 bits short, so that its int may well have 32.
