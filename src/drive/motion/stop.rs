@@ -58,7 +58,7 @@ impl Motor<'_, '_> {
         let begun = self.begin_to_stop(choice, because == "interrupted");
         // Who has pressed more than once before it was his turn is not put off with the first.
         let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
-        let (mut hurry, mut is_unheard) = (way != choice, false);
+        let (mut hurry, mut is_unheard, mut is_told) = (way != choice, false, false);
         if hurry {
             self.tell_stronger(choice, way, true);
             stop.escalated = Some(way.slug());
@@ -79,6 +79,11 @@ impl Motor<'_, '_> {
                 }
                 Err(failure) => failure,
             };
+            let is_disobeyed = matches!(failure.class, Class::Forbidden | Class::Refused) && self.works;
+            if is_disobeyed && self.stronger(way).is_none() && !std::mem::replace(&mut is_told, true) {
+                self.tell_deaf(way);
+                self.zero_besides().await;
+            }
             match (failure.class, self.stronger(way)) {
                 (Class::Interrupted, _) if self.asks_for_this(stop.because) => {
                     (stop.because, tries) = ("interrupted", 0);
@@ -410,6 +415,18 @@ impl Motor<'_, '_> {
         let state = self.until(STOPPED, row.takes, true).await?;
         self.notes_lost_power(row, &state);
         Ok(state)
+    }
+
+    /// Sets a setpoint of 0 beside the strongest stop that is not obeyed, for a drive that may still obey that. Once: no answer keeps
+    /// the stop back.
+    async fn zero_besides(&mut self) {
+        if self.lever == Lever::Setpoint || self.mode.as_ref().is_some_and(|mode| !mode.zero_stops()) {
+            return;
+        }
+        let Some(param) = self.setpoint.as_ref().map(|setpoint| setpoint.param) else { return };
+        let (param, retries) = (self.target.family.param_or_unknown(param), self.session.set_retries(0));
+        let _told_by_its_standstill = self.write_once(&param, 0, 0).await;
+        self.session.set_retries(retries);
     }
 
     /// A drive that refuses its control word may still obey its setpoint. Whether its shaft stands then, as far as it tells.

@@ -51,14 +51,14 @@ pub(super) fn number(text: &str, commas: bool) -> Option<String> {
     Some(if fraction.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") })
 }
 
-/// Whether a cell has a decimal comma that can be nothing else.
+/// Whether a cell has a decimal comma that can be nothing else: not before three digits, or behind a point that parts thousands.
 pub(super) fn has_comma(text: &str) -> bool {
-    let parts = text.split_once(',');
-    parts.is_some_and(|(whole, fraction)| {
+    text.split_once(',').is_some_and(|(whole, fraction)| {
         let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-        digits(whole.trim_start_matches('-').trim_end_matches(|c: char| !c.is_ascii_digit()))
-            && digits(fraction.split(' ').next().unwrap_or(""))
-            && (fraction.split(' ').next().unwrap_or("").len() != 3 || whole.trim_start_matches('-') == "0")
+        let whole = whole.trim_start_matches('-');
+        let fraction = fraction.split(' ').next().unwrap_or("");
+        let is_certain = fraction.len() != 3 || whole == "0" || whole.contains('.');
+        digits(&whole.replace('.', "")) && digits(fraction) && is_certain
     })
 }
 
@@ -243,7 +243,20 @@ mod tests {
         ] {
             assert_eq!(number(typed, commas).as_deref(), read, "{typed}");
         }
-        assert!(has_comma("-12,5") && has_comma("0,125") && !has_comma("1,234") && !has_comma("a,b"));
+        for (cell, has) in [
+            ("-12,5", true),
+            ("12,5 Hz", true),
+            ("0,125", true),
+            ("1.000,5", true),
+            ("1.000,500", true),
+            ("1,234", false),
+            ("1,234.5", false),
+            ("1.234", false),
+            ("a,b", false),
+            ("1,2,3", false),
+        ] {
+            assert_eq!(has_comma(cell), has, "{cell}");
+        }
     }
 
     #[test]

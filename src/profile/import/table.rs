@@ -230,6 +230,7 @@ impl List<'_> {
         self.decimals(record, &mut draft);
         self.limits(record, &mut draft);
         self.float(record, &mut draft)?;
+        self.within(record.line, &mut draft);
         self.fit(record, &mut draft);
         self.access(record, &mut draft);
         self.words(record, &mut draft);
@@ -320,6 +321,29 @@ impl List<'_> {
             self.note(record.line, what, &cell);
             // Without a unit a raw number would pass for the value.
             draft.unit.get_or_insert_with(|| format!("× {cell}"));
+        }
+    }
+
+    /// Of limits that contradict each other none is taken; neither is a default beyond them.
+    fn within(&mut self, line: usize, draft: &mut Draft) {
+        let number = |limit: &Option<String>| limit.as_ref().and_then(|limit| limit.parse::<f64>().ok());
+        let [min, max, default] = &draft.limits;
+        let (low, high) = (number(min).unwrap_or(f64::NEG_INFINITY), number(max).unwrap_or(f64::INFINITY));
+        if low > high {
+            let cell = format!("{} … {}", min.as_deref().unwrap_or(""), max.as_deref().unwrap_or(""));
+            let what = both!(
+                "the least is more than the most, so neither is taken",
+                "das Kleinste ist mehr als das Größte, genommen wird keins"
+            );
+            draft.limits[..2].fill(None);
+            self.note(line, what, &cell);
+        } else if number(default).is_some_and(|default| !(low..=high).contains(&default)) {
+            let cell = draft.limits[2].take().unwrap_or_default();
+            let what = both!(
+                "this default lies beyond its limits, so it is not taken",
+                "diese Werkseinstellung liegt außerhalb ihrer Grenzen, sie wird nicht übernommen"
+            );
+            self.note(line, what, &cell);
         }
     }
 

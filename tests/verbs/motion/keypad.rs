@@ -371,6 +371,47 @@ fn a_stop_that_is_not_obeyed_is_told_in_the_view_that_stays() {
     }
 }
 
+/// Who has asked for the strongest stop at once has seen nothing of it yet: that it is not obeyed is told while it is said again, and
+/// what the drive may still obey goes out.
+#[test]
+fn three_interrupts_that_nothing_obeys_are_told_soon() {
+    for (model, keys, line) in DRIVES {
+        let servo = model == "lxm05";
+        let deaf = if servo { "ignores = 6938\nrefuses = 6914" } else { "ignores = 410" };
+        let keys = format!("{keys}\n[[drive.event]]\nat = \"3s\"\n{deaf}");
+        let (mut pressed, mut last) = (0, Tick::ZERO);
+        let seen = run((model, &keys, line), "--view", &mut |_, at, hand| {
+            if pressed < 3 && at.since(Tick::ZERO).as_millis() >= 4_000 + 300 * pressed {
+                (pressed, last) = (pressed + 1, at);
+                hand.press();
+            }
+        });
+        let what = format!("{model}: {:?} {:?}", seen.failure, seen.notes);
+        let is_alarm = |event: &Event| matches!(event, Event::Note(note) if note.en.contains("coast is not obeyed"));
+        let told = seen.story.iter().position(is_alarm).unwrap_or_else(|| panic!("{what}"));
+        let Event::Note(note) = &seen.story[told] else { unreachable!() };
+        assert!(note.en.starts_with("THE SHAFT MAY STILL TURN: ") && note.en.contains("what stops it now: "), "{what}");
+        let time = |event: &Event| match event {
+            Event::Record(record) => {
+                if let Record::Sample(sample) = &**record {
+                    Some(sample.t.raw)
+                } else {
+                    None
+                }
+            }
+            _ => None,
+        };
+        let at = seen.story[..told].iter().filter_map(time).max().unwrap();
+        let late = at + seen.begun.unwrap().since(Tick::ZERO).as_micros() as i64 - last.as_micros() as i64;
+        assert!(late < 4_000_000, "{late} us: {what}");
+        if !servo {
+            let zero = seen.sent.iter().find(|(at, hex)| *at > last && hex.starts_with("01 65 01 E4 00 00 00 00"));
+            assert!(zero.is_some_and(|(at, _)| at.since(last) < Span::from_secs(4)), "{what}");
+            assert_eq!(seen.bench.totals().turning, 0, "{what}");
+        }
+    }
+}
+
 #[test]
 fn only_ctrl_c_asks_for_a_harder_stop() {
     let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| {

@@ -48,19 +48,24 @@ impl Motor<'_, '_> {
         };
         self.stops_by(next);
         // Who works on as if nothing had been said is stopped by somebody else, if need be.
-        let is_deaf = !interrupted && self.works;
-        self.session.tell(Event::Note(match is_deaf {
-            true => both!(
-                "{turns}: {text}; {stops}",
-                "{turns}: {text}; {stops}",
-                turns = may_turn(),
-                text,
-                stops = what_stops_it(&self.target.family)
-            ),
-            false => text.clone(),
-        }));
+        match !interrupted && self.works {
+            true => self.tell_works_on(&text),
+            false => self.session.tell(Event::Note(text.clone())),
+        }
         self.notes.push(text);
         self.has_time_for_a_word();
+    }
+
+    /// Says that the last stop that is left is not obeyed; it goes out on and on.
+    pub(super) fn tell_deaf(&mut self, way: StopChoice) {
+        let way = way.slug();
+        self.tell_works_on(&both!("{way} is not obeyed", "{way} wird nicht befolgt"));
+    }
+
+    fn tell_works_on(&mut self, text: &Text) {
+        let (turns, stops) = (may_turn(), what_stops_it(&self.target.family));
+        let text = both!("{turns}: {text}; {stops}", "{turns}: {text}; {stops}", turns, text, stops);
+        self.session.tell(Event::Note(text));
     }
 }
 

@@ -123,6 +123,10 @@ impl Screen {
         // What an answer would end does not take the place of what it does not.
         let outlives = !self.alarm.is_empty() && self.alarm != unanswered && text == unanswered;
         let is_alarm = text.starts_with(may_turn().get(self.lang)) && !outlives;
+        if is_alarm && text != unanswered {
+            // What was said of the stop that is not obeyed holds no more.
+            self.note.clear();
+        }
         text.clone_into(if is_alarm { &mut self.alarm } else { &mut self.note });
         self.noted = self.t;
         // Who leans on a key hears the same again and again.

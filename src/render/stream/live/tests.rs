@@ -294,8 +294,10 @@ fn that_a_stop_was_not_proven_stays_until_somebody_leaves() {
         // Who answers again is heard.
         screen.record(&sample(1, 3, Some(1_000)));
         assert!(!drawn(&screen, 80, 24).join(" ").contains(may_turn().get(lang)));
-        // What is not obeyed stays, also where the line falls silent and comes back meanwhile.
+        // What is not obeyed stays, also where the line falls silent and comes back meanwhile, and ends what was said of it before.
+        screen.note("stopping: ramp");
         screen.note(told);
+        assert!(!drawn(&screen, 80, 24).join(" ").contains("stopping: ramp"));
         screen.note(unanswered_stop().get(lang));
         screen.record(&sample(1, 4, Some(1_000)));
         assert!(drawn(&screen, 80, 24).join(" ").contains(stops));
