@@ -45,6 +45,9 @@ fn print<P: Page>(matches: &ArgMatches, source: Source<'_>, out: &mut dyn Write)
 }
 
 /// Prints the JSON Schema of a verb's output, or of every verb's
+///
+/// It describes the document of --json, and the records of --format ndjson while a verb goes on. Other lines of --format ndjson are
+/// the items of the document's lists, each with its `type`.
 #[derive(Debug, Args)]
 struct Schema {
     /// The verb
@@ -139,7 +142,10 @@ impl Page for Man {
         let Some(command) = found else {
             let verb = self.verb.join(" ");
             let message = both!("there is no verb '{verb}'", "es gibt keinen Befehl '{verb}'");
-            return Ok(Some(Failure::new(Class::Usage, "usage.verb", message).hint(verbs())));
+            let known = root.get_subcommands().filter(|known| !known.is_hide_set()).map(clap::Command::get_name);
+            let known = known.collect::<Vec<_>>().join(", ");
+            let hint = both!("there are: {known}", "es gibt: {known}");
+            return Ok(Some(Failure::new(Class::Usage, "usage.verb", message).hint(hint)));
         };
         manual::print(command, out)?;
         out.flush().map(|()| None)

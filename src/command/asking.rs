@@ -40,6 +40,15 @@ pub(super) fn interrupted() -> Failure {
     Failure::new(Class::Interrupted, "interrupted.question", text)
 }
 
+/// Somebody leaves while the run waits for a key to be held.
+pub(super) fn left_before_start() -> Failure {
+    let text = both!(
+        "interrupted before a key was held: nothing was started",
+        "abgebrochen, ehe eine Taste gehalten wurde: nichts wurde gestartet"
+    );
+    Failure::new(Class::Interrupted, "interrupted.start", text)
+}
+
 /// The failure to show when there is no permit.
 pub(super) fn denied(denied: Denied) -> Failure {
     match denied {

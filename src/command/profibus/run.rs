@@ -142,7 +142,7 @@ async fn run_it(
         exchange.tell(Event::Note(keypad::hold_a_key()));
         // The slave is kept going meanwhile, by the stop word.
         exchange.during(panel.held()).await.map_err(|failure| match failure.class {
-            Class::Interrupted => asking::interrupted(),
+            Class::Interrupted => asking::left_before_start(),
             _ => failure,
         })?;
     }

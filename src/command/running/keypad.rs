@@ -66,7 +66,7 @@ pub(super) async fn open(
         let mut motor = Motor::new(session, target, permit, None);
         motor.watched = watched.take();
         motor.await_key(panel).await.map_err(|failure| match failure.class {
-            Class::Interrupted => asking::interrupted(),
+            Class::Interrupted => asking::left_before_start(),
             _ => failure,
         })?;
         watched = motor.watched.take();

@@ -224,10 +224,17 @@ impl Motor<'_, '_> {
 
     /// The run comes to its next part: `held`, `stopping`, `ended`; and when that ends by itself.
     pub(super) fn comes_to(&mut self, phase: &'static str, end: Option<Tick>) {
+        let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
         let Some(shown) = &mut self.watched else { return };
         shown.held |= phase == "held";
         if matches!(phase, "stopping" | "ended") {
             shown.panel.rests();
+        }
+        if phase == "stopping" {
+            // The setpoint of the run holds no more.
+            let is_role = |row: &Row| row.column.role.is_some_and(|role| role.starts_with("setpoint"));
+            let leads = |row: &&mut Row| Some(row.param.id) == given || is_role(row);
+            shown.rows.iter_mut().filter(leads).for_each(|row| row.value = None);
         }
         shown.news.phase = if phase == "held" && shown.led { "led" } else { phase };
         shown.news.ends = end.map(|end| seconds(end.since(shown.begun)));

@@ -34,7 +34,7 @@ pub(super) fn told(input: &str, module: &Module, family: &Family) -> Result<Basi
 pub(super) fn wrong(error: &ModuleError) -> Text {
     match error {
         ModuleError::Length(len) => {
-            both!("{error}", "{len} Bytes; ein Modul hat 3, 5 oder 7 (L200, SJ200) oder 2, 4 oder 6 (X200)")
+            both!("{error}", "Länge {len}; ein Modul hat 3, 5 oder 7 Bytes (L200, SJ200) oder 2, 4 oder 6 (X200)")
         }
         ModuleError::Target(number) => both!("{error}", "{number:04X}h passt nicht in die Bytes des Moduls"),
     }

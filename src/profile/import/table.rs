@@ -324,20 +324,12 @@ impl List<'_> {
         }
     }
 
-    /// Of limits that contradict each other none is taken; neither is a default beyond them.
+    /// A default beyond its limits is not taken.
     fn within(&mut self, line: usize, draft: &mut Draft) {
         let number = |limit: &Option<String>| limit.as_ref().and_then(|limit| limit.parse::<f64>().ok());
-        let [min, max, default] = &draft.limits;
-        let (low, high) = (number(min).unwrap_or(f64::NEG_INFINITY), number(max).unwrap_or(f64::INFINITY));
-        if low > high {
-            let cell = format!("{} … {}", min.as_deref().unwrap_or(""), max.as_deref().unwrap_or(""));
-            let what = both!(
-                "the least is more than the most, so neither is taken",
-                "das Kleinste ist mehr als das Größte, genommen wird keins"
-            );
-            draft.limits[..2].fill(None);
-            self.note(line, what, &cell);
-        } else if number(default).is_some_and(|default| !(low..=high).contains(&default)) {
+        let [min, max, default] = draft.limits.each_ref().map(number);
+        let is_beyond = |default: f64| min.is_some_and(|min| default < min) || max.is_some_and(|max| default > max);
+        if default.is_some_and(is_beyond) {
             let cell = draft.limits[2].take().unwrap_or_default();
             let what = both!(
                 "this default lies beyond its limits, so it is not taken",

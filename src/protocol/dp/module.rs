@@ -69,7 +69,7 @@ pub enum Limits {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ModuleError {
     /// No format has this many bytes.
-    #[error("{0} bytes; a module has 3, 5 or 7 (L200, SJ200), or 2, 4 or 6 (X200)")]
+    #[error("length {0}; a module has 3, 5 or 7 bytes (L200, SJ200), or 2, 4 or 6 (X200)")]
     Length(usize),
     /// The index or address does not fit into the format.
     #[error("{0:04X}h does not fit into the module's bytes")]

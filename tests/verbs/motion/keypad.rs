@@ -412,6 +412,24 @@ fn three_interrupts_that_nothing_obeys_are_told_soon() {
     }
 }
 
+/// What stops it has taken its setpoint's place: nothing shows the one of the run any more.
+#[test]
+fn no_setpoint_is_shown_of_a_run_that_stops() {
+    for drive in DRIVES {
+        let seen = run(drive, "--view", &mut |telegram, at, hand| match telegram {
+            150 => hand.button(Button::Stop, at),
+            400.. => hand.button(Button::End, at),
+            _ => {}
+        });
+        let told = |phase: &str| seen.news.iter().find(|news| news.phase == phase).map(|news| news.t.raw).unwrap();
+        let (from, to) = (told("stopping"), told("ended"));
+        let shows = |sample: &&Sample| sample.values.iter().any(|row| [282, 283, 484, 6938].contains(&row.value.param));
+        let during = seen.samples.iter().filter(|sample| (from..to).contains(&sample.t.raw));
+        assert_eq!(during.clone().filter(shows).count(), 0, "{}", drive.0);
+        assert!(during.count() > 2 && seen.samples.iter().filter(shows).count() > 2, "{}", drive.0);
+    }
+}
+
 #[test]
 fn only_ctrl_c_asks_for_a_harder_stop() {
     let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| {

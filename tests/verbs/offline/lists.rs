@@ -115,20 +115,17 @@ fn a_row_that_is_shifted_and_a_type_that_its_limits_do_not_fit_are_told() {
 #[test]
 fn points_part_thousands_where_a_comma_says_so_and_a_default_lies_within_its_limits() {
     let list = "Nr;Name;Decimals;Min;Max;Default\n1470;Eins;2;1.000;12.000;2.000\n1471;Zwei;2;0;1.000,5;70\n\
-                1472;Drei;2;50;10;\n1473;Vier;0;0;50;70\n";
+                1473;Vier;0;0;50;70\n";
     let told = antrieb("params import --drive acu {dir}/a.csv").file("a.csv", list).exits(0).out;
     let row = |id: &str| told.lines().find(|line| line.contains(&format!("id = {id},"))).unwrap_or_default().to_owned();
     for (id, limits) in [
         ("1470", "access = \"r\", min = 1000, max = 12000, default = 2000, decimals"),
         ("1471", "access = \"r\", min = 0, max = \"1000.5\", default = 70, decimals"),
-        ("1472", "access = \"r\", decimals"),
         ("1473", "access = \"r\", min = 0, max = 50, decimals"),
     ] {
         assert!(row(id).contains(limits), "{id}: {told}");
     }
-    for why in ["line 4: '50 … 10': the least is more", "line 5: '70': this default lies beyond"] {
-        assert!(told.contains(why), "{why}: {told}");
-    }
+    assert!(told.contains("line 4: '70': this default lies beyond"), "{told}");
 }
 
 #[test]
