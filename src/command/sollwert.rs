@@ -333,7 +333,7 @@ async fn carry_out(
     // The time of the run is that of a movement too, unless somebody waits for its end first.
     let lasts = motion.duration.map(|span| span + leads.takes());
     let is_timed = motion.hold && !until_reached;
-    if is_timed && enable && wanted.turns_at_zero() {
+    if is_timed && enable && (wanted.turns_at_zero() || wanted.may_lift) {
         motor.will_hold(lasts);
     }
     if enable {

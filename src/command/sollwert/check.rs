@@ -65,7 +65,20 @@ impl Check<'_, '_> {
         self.tells_unknown(&promise);
         wanted.effective = added.map(|added| Total { added, limit, least });
         wanted.least = promise.own.least;
+        wanted.may_lift = self.may_lift(&wanted, own).await?;
         Ok((wanted, Some(promise)))
+    }
+
+    /// Whether a least setpoint stands in the drive of which no manual says that it counts only with another source: from its
+    /// enabling on the shaft may turn at that.
+    async fn may_lift(&mut self, wanted: &Wanted, own: Own) -> Result<bool, Failure> {
+        let Some(floor) = wanted.mode.floor.as_ref().filter(|floor| own.source != Some(floor.source)) else {
+            return Ok(false);
+        };
+        let param = self.target.family.param_or_unknown(floor.param);
+        let set = wanted.settings.iter().find(|(param, _)| param.id == floor.param).map(|(_, raw)| *raw);
+        let least = if set.is_some() { set } else { working(self.session, self.target, &param).await? };
+        Ok(least.is_some_and(|least| least > 0))
     }
 
     /// What cannot be read may bend the setpoint all the same; told.

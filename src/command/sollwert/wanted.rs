@@ -114,6 +114,8 @@ pub(super) struct Wanted {
     pub(super) effective: Option<Total>,
     /// The least that the drive lifts a setpoint to, whatever is given.
     pub(super) least: Option<i64>,
+    /// It may do so with another source as well.
+    pub(super) may_lift: bool,
     /// What the arrows of the keypad do.
     pub(super) keys: Option<Keys>,
 }
@@ -216,6 +218,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
         settings,
         effective: None,
         least: None,
+        may_lift: false,
         schedule,
         mode: mode.clone(),
     };

