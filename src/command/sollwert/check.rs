@@ -78,7 +78,20 @@ impl Check<'_, '_> {
         let param = self.target.family.param_or_unknown(floor.param);
         let set = wanted.settings.iter().find(|(param, _)| param.id == floor.param).map(|(_, raw)| *raw);
         let least = if set.is_some() { set } else { working(self.session, self.target, &param).await? };
-        Ok(least.is_some_and(|least| least > 0))
+        let Some(least) = least.filter(|&least| least > 0) else { return Ok(false) };
+        if wanted.values().any(|raw| raw.saturating_abs() < least) {
+            let (source, label) = (wanted.mode.source.as_ref(), param.label());
+            let source = source.map_or(0, |source| source.param);
+            self.session.tell(Event::Note(both!(
+                "the drive may lift the setpoint to {label} = {least}: no source says that it does so only with {source} = {value}",
+                "der Antrieb hebt den Sollwert vielleicht auf {label} = {least} an: keine Quelle sagt, dass er das nur bei {source} = \
+                 {value} tut",
+                least = wanted.shown(least, &self.target.family),
+                source = self.target.family.param_or_unknown(source).label(),
+                value = floor.source
+            )));
+        }
+        Ok(true)
     }
 
     /// What cannot be read may bend the setpoint all the same; told.

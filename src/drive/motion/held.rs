@@ -54,15 +54,13 @@ impl Motor<'_, '_> {
         self.clock = Clock::Approaches(lasts);
     }
 
-    /// Whether the time of the run begins at its setpoint.
-    pub(super) fn approaches(&self) -> bool {
-        matches!(self.clock, Clock::Approaches(_))
-    }
-
-    /// The setpoint is reached, as the last answer has shown: so the time of the run began with that.
-    pub(super) fn begins_there(&mut self) {
+    /// The setpoint is reached, and has been shown so since then, which is when the time of the run began.
+    pub(super) fn begins_there(&mut self, since: Tick) {
         if let Clock::Approaches(lasts) = self.clock {
-            self.begins(self.heard, lasts);
+            // It ends now at the soonest.
+            let now = self.session.now();
+            let ends_now = |lasts: Span| Tick::from_micros(now.as_micros().saturating_sub(lasts.as_micros()));
+            self.begins(since.max(lasts.map_or(since, ends_now)), lasts);
         }
     }
 

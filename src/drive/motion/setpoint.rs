@@ -224,12 +224,13 @@ impl Motor<'_, '_> {
         let travels = self.mode.as_ref().is_some_and(|mode| !mode.starts.is_empty());
         let looks = if family.motion.movement == Movement::Position { 2 } else { 1 };
         let mut watch = Watch::new(family.motion.movement);
-        let (mut seen, mut told) = (None, 0);
+        let (mut seen, mut told, mut since) = (None, 0, Tick::ZERO);
         let (mut wait, mut fell) = (self.wait(), self.session.now());
         let mut has_fallen = travels || looks == 1;
         loop {
             self.demand_time()?;
             let status = self.look_on().await?;
+            let shown = self.heard;
             if status >> bit & 1 == 0 {
                 self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
             }
@@ -243,8 +244,12 @@ impl Motor<'_, '_> {
             self.note_actual(reached, movement);
             let is_there = reached && self.is_near(movement);
             told = if is_there && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
+            if told <= 1 {
+                since = shown;
+            }
             let is_told = told >= looks && (has_fallen || self.session.now().since(fell) >= LAG);
-            if is_told && self.arrives(bit).await? {
+            if is_told {
+                self.begins_there(since);
                 return Ok(());
             }
             // On its way to a target a shaft may turn evenly for long.
@@ -264,15 +269,6 @@ impl Motor<'_, '_> {
             }
             self.rest(self.beat()).await?;
         }
-    }
-
-    /// Whether the drive still says so behind all that was asked meanwhile, where the time of a run is to begin with it.
-    async fn arrives(&mut self, bit: u8) -> Result<bool, Failure> {
-        let is_there = !self.approaches() || self.works_on().await? >> bit & 1 == 1;
-        if is_there {
-            self.begins_there();
-        }
-        Ok(is_there)
     }
 
     /// The failure of a setpoint that the drive's own limits make another one.

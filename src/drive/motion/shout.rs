@@ -41,7 +41,7 @@ use presumed::{doubted, narrowed, others, presumed};
 use saying::{at_once, glimpsed, in_short, insist, passed_by, sound, unless_interrupted};
 use std::collections::VecDeque;
 use std::rc::Rc;
-use word::{first_word, telegrams};
+use word::{first_word, must_ask, telegrams};
 
 mod presumed;
 mod saying;
@@ -354,8 +354,19 @@ impl<'m> Call<'m> {
     /// Finds out the words that are not known yet.
     async fn learn(&mut self, session: &mut Session<'_>, by: Tick) -> Result<(), AccessError> {
         let (act, tell) = (self.act, self.tell);
-        for family in std::mem::take(&mut self.untold) {
+        // A word that needs no question goes out before those that do, where it keeps nobody else waiting.
+        let waits = |family: &Rc<Family>| tell == Tell::Alone && must_ask(family, act);
+        let (asking, mut ready): (Vec<_>, Vec<_>) = std::mem::take(&mut self.untold).into_iter().partition(waits);
+        if ready.is_empty() {
+            ready = asking
+        } else {
+            self.untold = asking
+        }
+        let mut fresh = VecDeque::new();
+        for family in ready {
             let by = match tell {
+                // Who has said nothing for as long as a drive may take is not asked once more.
+                Tell::Alone if self.is_silent(session.now()) => Some(session.now()),
                 Tell::Alone => None,
                 Tell::First | Tell::Unsounded => Some(by),
                 Tell::Again => Some(session.now() + SHORT),
@@ -367,12 +378,20 @@ impl<'m> Call<'m> {
             };
             self.slow |= session.now().since(asked) > GLANCE;
             let words = first.word.into_iter().flat_map(|word| telegrams(session, self.meant, &family, word));
-            self.words.extend(words.map(|word| (family.clone(), word)));
+            fresh.extend(words.map(|word| (family.clone(), word)));
             if family.motion.control.is_some() && !self.widened {
                 self.first = first;
             }
         }
+        // Before what was said already.
+        fresh.append(&mut self.words);
+        self.words = fresh;
         Ok(())
+    }
+
+    /// Whether it has answered neither who it is nor a word.
+    fn is_silent(&self, now: Tick) -> bool {
+        self.refusals == 0 && self.asked.is_some_and(|asked| now.since(asked) >= TURN)
     }
 
     /// Waits for the answer at least until `by`, where nothing was asked before it.

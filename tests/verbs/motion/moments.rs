@@ -65,18 +65,25 @@ fn a_word_that_may_have_given_power_leaves_no_idle_drive() {
 /// What was not told in time went out as a quick stop, which opens a contact; that is said only where it took the power.
 #[test]
 fn contacts_that_were_opened_in_place_of_a_ramp_are_told_as_that_and_no_others() {
-    let contacts = |word: u8, delay: &str| {
+    let contacts = |word: u8, rest: &str| {
         let set = format!("\"410\" = {word}, \"412\" = 2, \"434\" = 2, \"484\" = 10, \"418\" = 0");
-        let ramps = "ramps = { up_right = 50, down_right = 20, up_left = 50, down_left = 20 }";
-        drive(&set, ramps).replace("1ms", delay)
+        drive(&set, &format!("ramps = {{ up_right = 50, down_right = 20, up_left = 50, down_left = 20 }}\n{rest}"))
     };
-    for (word, delay, instead) in [(3, "700ms", true), (3, "1ms", false), (0, "1ms", false), (1, "1ms", false)] {
-        let run = antrieb("-v -b 115200 -a 1 --drive acu statemachine disable").on(&contacts(word, delay)).json();
+    // It tells its control word, and nothing for a second behind that; or everything as late as it may.
+    let (untold, late) = (silent_after(1, 1_000), "[[disturb]]\nevery = 1\nkind = \"late\"\nby = \"470ms\"".to_owned());
+    for (word, rest, instead) in [
+        (3, untold, true),
+        (3, late, false),
+        (3, String::new(), false),
+        (0, String::new(), false),
+        (1, String::new(), false),
+    ] {
+        let run = antrieb("-v -b 115200 -a 1 --drive acu statemachine disable").on(&contacts(word, &rest)).json();
         let other = run.error()["code"] == "forbidden.other_stop";
-        assert_eq!(other, instead, "{word} {delay}: {:#}", run.value);
+        assert_eq!(other, instead, "{word} {rest}: {:#}", run.value);
         let why = run.error()["message"].as_str().is_some_and(|text| text.contains("was not told in time"));
-        assert_eq!(why, instead, "{word} {delay}: {:#}", run.value);
-        assert_eq!(witness::left().unwrap().0.totals().energised, 0, "{word} {delay}");
+        assert_eq!(why, instead, "{word} {rest}: {:#}", run.value);
+        assert_eq!(witness::left().unwrap().0.totals().energised, 0, "{word} {rest}");
     }
 }
 

@@ -148,7 +148,7 @@ fn a_stop_goes_out_at_once_on_every_line() {
     for model in ["act", "acu"] {
         for (name, how) in LINES {
             for verb in VERBS {
-                for (drive, within) in [(format!("--drive {model}"), 900.0), (String::new(), 1_500.0)] {
+                for (drive, within) in [(format!("--drive {model}"), 700.0), (String::new(), 1_100.0)] {
                     let how = if how.is_empty() { String::new() } else { format!("[[disturb]]\n{how}") };
                     let bench = active(model, 1, &how);
                     let baud = if how.is_empty() { 115_200 } else { 19_200 };
@@ -163,6 +163,33 @@ fn a_stop_goes_out_at_once_on_every_line() {
                         let error = err.lines().find(|line| line.contains("error:")).unwrap_or("-");
                         sins.push(format!("{line} ({name}): {at:?} ms, exit {exit}, {turning} turning, {error}"));
                     }
+                }
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{}", sins.join("\n"));
+}
+
+/// Who says nothing for as long as a drive may take is asked nothing more: every kind that it may be has been told by then,
+/// whatever --timeout is.
+#[test]
+fn nobody_who_is_silent_waits_for_his_first_stop() {
+    let mut sins = Vec::new();
+    for (model, verb, words, within) in [
+        ("acu", "statemachine disable", &WORDS[..], [700.0, 600.0]),
+        ("act", "statemachine disable", &WORDS[..], [700.0, 600.0]),
+        ("lxm05", "statemachine disable", &["01 10 1B 02 00 02 04"][..], [100.0, 200.0]),
+        ("acu", "sollwert 0", &ZEROS[..1], [700.0, 600.0]),
+        ("lxm05", "sollwert 0", &ZEROS[1..], [600.0, 200.0]),
+    ] {
+        let silent = "[[disturb]]\nevery = 1\nkind = \"lost\"\n";
+        let bench = format!("[[drive]]\nmodel = \"{model}\"\n{silent}");
+        for timeout in ["", "--timeout 3s", "--timeout 60s"] {
+            for (named, within) in [format!("--drive {model}"), String::new()].into_iter().zip(within) {
+                let run = antrieb(&format!("-v {timeout} -a 1 {named} {verb}")).on(&bench).run();
+                let at = first(&run.err, words);
+                if at.is_none_or(|at| at > within) {
+                    sins.push(format!("{model} {verb} {timeout} {named}: {at:?} ms of {within}"));
                 }
             }
         }
@@ -286,7 +313,7 @@ fn a_zero_goes_out_at_once_on_every_line() {
                         .then(|| at.trim().parse::<f64>().unwrap())
                 });
                 // Whoever is not named is asked who he is.
-                if sent.is_none_or(|at| at > if drive.is_empty() { 2_000.0 } else { 1_500.0 }) {
+                if sent.is_none_or(|at| at > if drive.is_empty() { 1_150.0 } else { 750.0 }) {
                     sins.push(format!("{model} {protocol} {drive} {name}: {sent:?}, exit {}", run.exit));
                 }
             }

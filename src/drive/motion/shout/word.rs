@@ -2,12 +2,12 @@
 
 use super::super::look::raw;
 use super::super::relief::command_of;
-use super::{FirstWord, PAUSE, in_short, unless_interrupted};
+use super::{FirstWord, PAUSE, TURN, in_short, unless_interrupted};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
-use crate::exchange::Question;
+use crate::exchange::{Limits, Question};
 use crate::gate::Relief;
 use crate::outcome::Event;
 use crate::profile::{Control, DataSets, Family, Param, Sets, Type};
@@ -15,9 +15,14 @@ use crate::text::both;
 use crate::tick::{Span, Tick};
 use std::rc::Rc;
 
-/// How long each question for a ramp is asked: for as long as a drive may take to answer (500 ms, CM-485 manual 6.8), and once
-/// more, if that was lost.
-const TO_TELL: Span = Span::from_millis(700);
+/// How long each question for a ramp is asked: for as long as a drive may take to answer (CM-485 manual 6.8), and once more, if that
+/// was lost, of a drive that answers at once.
+const TO_TELL: Span = Span::from_millis(560);
+
+/// Whether something must be asked before the first word of this family.
+pub(super) fn must_ask(family: &Family, act: Relief) -> bool {
+    family.motion.control.is_some() && act == Relief::Disable
+}
 
 /// The word that goes out first. Where it could close contacts it must be proven that it does not.
 /// `by`: it is asked until then; what was not told is a quick stop, or without `force` not known yet.
@@ -99,8 +104,12 @@ async fn asked(
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
     let by = by.unwrap_or(session.now() + TO_TELL);
+    if by <= session.now() {
+        return Ok(None);
+    }
     session.end_at(Some(by));
     let patient = session.patient();
+    let patient = Limits { reply_timeout: patient.reply_timeout.min(TURN), ..patient };
     let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set).await {
             Err(failure) if failure.is_unheard() && session.now() < by => {}

@@ -2,7 +2,7 @@
 
 use super::super::look::role_raw;
 use super::{
-    BRIEF, PAUSE, SHORT, SHOUTING, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed,
+    BRIEF, PAUSE, SHORT, SHOUTING, TIMES, TURN, at_once, doubted, in_short, insist, narrowed, others, presumed,
     unless_interrupted,
 };
 use crate::drive::access::AccessError;
@@ -15,11 +15,13 @@ use crate::outcome::Event;
 use crate::profile::{Family, Mode, Registry, Type};
 use crate::text::both;
 use crate::tick::{Span, Tick};
+use std::collections::VecDeque;
 use std::rc::Rc;
 
-/// How long it is looked whether a setpoint of zero only slows the shaft.
-const LOOKING: Span = Span::from_millis(600);
-/// And when the last of these questions ends: a drive that is slow has told both by then.
+/// How long it is looked whether a setpoint of zero only slows the shaft: for as long as a drive may take to answer (CM-485 manual
+/// 6.8), and once more, if that was lost, of a drive that answers at once.
+const LOOKING: Span = Span::from_millis(560);
+/// And when the last of these questions ends: a drive that has told the first has told both by then.
 const LOOKED: Span = Span::from_millis(900);
 
 /// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
@@ -48,11 +50,13 @@ async fn say_zero(
     meant: &Meant,
     modes: &dyn Fn(&Family) -> Vec<Mode>,
 ) -> Result<bool, AccessError> {
+    let now = session.now();
     let (mut families, told) = match &meant.family {
         Some(family) => (vec![family.clone()], true),
         None => presumed(session, registry, meant.address).await?,
     };
-    let (mut said, refused) = say_zero_to(session, meant, (&mut families, told), modes).await?;
+    let asked = (!told).then_some(now);
+    let (mut said, refused) = say_zero_to(session, meant, (&mut families, asked), modes).await?;
     let others = refused.then(|| others(registry, &families)).flatten();
     if let Some((named, mut others)) = others
         && let Some(why) = doubted(meant, &named)
@@ -65,49 +69,109 @@ async fn say_zero(
             drive = named.drive,
             why
         )));
-        said |= say_zero_to(session, meant, (&mut others, true), modes).await?.0;
+        said |= say_zero_to(session, meant, (&mut others, None), modes).await?.0;
     }
     Ok(said)
 }
 
-/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it. Who has not `told`
-/// who he is may tell it late, and is given none of the others then.
+/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it. Who was `asked` who he
+/// is, and has not told, may tell it late, and is given none of the others then.
 async fn say_zero_to(
     session: &mut Session<'_>,
     meant: &Meant,
-    (families, told): (&mut Vec<Rc<Family>>, bool),
+    (families, asked): (&mut Vec<Rc<Family>>, Option<Tick>),
     modes: &dyn Fn(&Family) -> Vec<Mode>,
 ) -> Result<(bool, bool), AccessError> {
-    let (mut wholes, mut unspeakable, mut slow) = (Vec::new(), false, false);
+    let (mut wholes, mut unspeakable) = (Vec::new(), false);
+    let opening = match asked {
+        Some(asked) => open(session, meant, (families, asked), modes).await?,
+        None => Opening::default(),
+    };
+    let mut slow = false;
     for family in &families.clone() {
-        slow = slow || (!told && narrowed(session, meant.address, families));
+        slow = slow || (asked.is_some() && narrowed(session, meant.address, families));
         if !families.iter().any(|left| left.drive == family.drive) {
             continue;
         }
+        // Who has said nothing for as long as a drive may take is asked nothing more before his zero.
+        let is_silent = !slow && !opening.answered && asked.is_some_and(|asked| session.now().since(asked) >= TURN);
         // Each acts in its own mode only, so one that is acknowledged is not enough.
-        let mut zeros = Vec::new();
-        for mode in acting(session, meant, family, modes(family)).await? {
-            if mode.source.is_none() || only_slows(session, meant, family).await? {
-                let param = family.param_or_unknown(mode.setpoint);
-                let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Long), 0);
-                let zero = meant.questions(session.protocol(), session.node(), family, inquiry, false);
+        let mut zeros = VecDeque::new();
+        let all = modes(family);
+        for mode in if is_silent { all } else { acting(session, meant, family, all).await? } {
+            if mode.source.is_none() || is_silent || only_slows(session, meant, family).await? {
+                let zero = zero_of(session, meant, family, &mode);
                 // What the protocol has no telegram for was refused before it went out.
                 unspeakable |= zero.is_empty();
                 zeros.extend(zero);
             }
         }
+        if opening.said.as_ref() == zeros.front() {
+            // It went out already.
+            zeros.rotate_left(1.min(zeros.len()));
+        }
         wholes.extend(Some((family.clone(), zeros)).filter(|(_, zeros)| !zeros.is_empty()));
     }
-    slow = slow || (!told && narrowed(session, meant.address, families));
+    slow = slow || (asked.is_some() && narrowed(session, meant.address, families));
     wholes.retain(|(family, _)| families.iter().any(|left| left.drive == family.drive));
-    let wholes: Vec<_> = wholes.into_iter().map(|(_, zeros)| zeros).collect();
+    let wholes: Vec<_> = wholes.into_iter().map(|(_, zeros)| zeros.into()).collect();
     let said = !wholes.is_empty();
-    let refused = match repeat(session, meant, wholes, slow).await {
+    let refused = match repeat(session, meant, wholes, (slow, opening.pressed)).await {
         // It went out: what came of it is told.
         Err(AccessError::Interrupted) => false,
         repeated => repeated?,
     };
     Ok((said, refused || (unspeakable && !said)))
+}
+
+/// The zero that goes out before its family is known.
+#[derive(Default)]
+struct Opening {
+    said: Option<Question>,
+    /// The drive has answered, whatever it said.
+    answered: bool,
+    /// Somebody interrupted meanwhile.
+    pressed: bool,
+}
+
+/// Says the first zero that needs no question to a drive that has not told in time who it is; it has the rest of the time for that
+/// then, in which the zero of another kind would meet its answer on the line.
+async fn open(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    (families, asked): (&mut Vec<Rc<Family>>, Tick),
+    modes: &dyn Fn(&Family) -> Vec<Mode>,
+) -> Result<Opening, AccessError> {
+    let plain = |family: &Rc<Family>| {
+        let mode = modes(family).into_iter().next().filter(|mode| mode.source.is_none())?;
+        Some((family.clone(), zero_of(session, meant, family, &mode).into_iter().next()?))
+    };
+    let Some((family, zero)) = families.iter().find_map(plain).filter(|_| families.len() > 1) else {
+        return Ok(Opening::default());
+    };
+    let waits = SHORT.longer((asked + TURN + PAUSE).since(session.now()));
+    let limits = Limits { reply_timeout: waits, ..session.limits() };
+    let tells = async |session: &mut Session<'_>| session.sound(meant.address).await;
+    let said = async |session: &mut Session<'_>| insist(session, meant.address, &zero, tells).await;
+    let (answer, pressed) = session.within(limits, said).await;
+    let answered = match answer {
+        Ok(Answer::Reply { said, .. }) => {
+            if no(&said).is_none() {
+                *families = vec![family];
+            }
+            true
+        }
+        Err(error) if error.is_fatal() => return Err(error),
+        _ => false,
+    };
+    Ok(Opening { said: Some(zero), answered, pressed })
+}
+
+/// The telegrams that set the setpoint of a mode to 0.
+fn zero_of(session: &Session<'_>, meant: &Meant, family: &Family, mode: &Mode) -> Vec<Question> {
+    let param = family.param_or_unknown(mode.setpoint);
+    let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Long), 0);
+    meant.questions(session.protocol(), session.node(), family, inquiry, false)
 }
 
 /// Of these modes the one that the drive shows; all, where it shows none.
@@ -127,15 +191,14 @@ async fn acting(
 /// Whether a line setpoint of zero cannot turn the shaft faster, nor the other way, as far as that is told in time.
 async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
     let begun = session.now();
-    let by = begun + LOOKED;
     let (mut internal, mut line) = (None, None);
     while session.now().since(begun) < LOOKING {
         if internal.is_none() {
-            internal = told(session, meant, family, ("setpoint-internal", by)).await?;
+            internal = told(session, meant, family, ("setpoint-internal", begun + LOOKING)).await?;
         }
         // One after the other: the same asked again needs no fence between.
         if internal.is_some_and(|internal| internal != 0) && line.is_none() {
-            line = told(session, meant, family, ("setpoint-bus", by)).await?;
+            line = told(session, meant, family, ("setpoint-bus", begun + LOOKED)).await?;
         }
         match (internal, line) {
             (Some(0), _) | (_, Some(0)) => return Ok(true),
@@ -157,11 +220,11 @@ async fn repeat(
     session: &mut Session<'_>,
     meant: &Meant,
     mut wholes: Vec<Vec<Question>>,
-    slow: bool,
+    (slow, mut interrupted): (bool, bool),
 ) -> Result<bool, AccessError> {
     let (limits, patient) = (session.limits(), session.patient());
     session.warns(unanswered_stop());
-    let (mut refused, mut interrupted) = (false, false);
+    let mut refused = false;
     let (begun, mut round) = (session.now(), 0);
     while round < TIMES {
         let mut is_stuck = false;
@@ -204,6 +267,7 @@ async fn told(
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
     let patient = session.patient();
+    let patient = Limits { reply_timeout: patient.reply_timeout.min(TURN), ..patient };
     session.end_at(Some(by.min(session.now() + patient.reply_timeout)));
     let tell = async |session: &mut Session<'_>| role_raw(session, &mut target, role).await;
     let told = in_short(session.within(patient, tell).await);
