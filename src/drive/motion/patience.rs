@@ -166,7 +166,9 @@ impl Motor<'_, '_> {
         let (begun, mut slowed) = (self.session.now(), false);
         loop {
             let raw = self.shaft().await?;
-            let slows = watch.see(self.session.now(), raw).slows;
+            let trend = watch.see(self.session.now(), raw);
+            self.insist(trend).await?;
+            let slows = trend.slows;
             slowed |= slows;
             let since = self.session.now().since(begun);
             if !slows || !self.sight.falls() || (since >= FALLING && !watch.rests_within(SHORTLY)) {

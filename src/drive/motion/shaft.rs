@@ -16,6 +16,9 @@ pub(super) struct Watch {
     slowest: Option<i64>,
     /// The pace at the look before, of positions.
     before: Option<i64>,
+    /// The slowest pace of the last looks alone, and how often one after the other they were clearly faster.
+    lowest: Option<i64>,
+    faster: u8,
 }
 
 /// What a look has shown.
@@ -25,28 +28,40 @@ pub(super) struct Trend {
     pub(super) changes: bool,
     /// It has become slower than it was at any time before.
     pub(super) slows: bool,
+    /// It has clearly become faster than it was before, at more than one look.
+    pub(super) rises: bool,
+}
+
+impl Trend {
+    const UNKNOWN: Trend = Trend { changes: false, slows: false, rises: false };
+    /// One place alone: it may do anything.
+    const ANYTHING: Trend = Trend { changes: true, slows: true, rises: false };
 }
 
 /// How far back looks tell, and how many do at least.
 const WINDOW: Span = Span::from_secs(1);
 /// So many looks tell of a shaft that wavers.
 const ENOUGH: usize = 12;
+/// So many looks tell whether a shaft becomes faster, where its position is looked at.
+const FEW: usize = 4;
+/// A pace that is no rise yet, in units of the drive: 1 Hz, or less than 1 1/min.
+const SLIGHT: i64 = 100;
 /// A servo that holds its position may still toggle by an increment.
 const JITTER: i64 = 1;
 
 impl Watch {
     pub(super) fn new(movement: Movement) -> Self {
-        Watch { movement, looks: VecDeque::new(), steady: None, slowest: None, before: None }
+        Watch { movement, looks: VecDeque::new(), steady: None, slowest: None, before: None, lowest: None, faster: 0 }
     }
 
     /// Takes a look.
     pub(super) fn see(&mut self, now: Tick, raw: Option<i64>) -> Trend {
-        let Some(raw) = raw else { return Trend { changes: false, slows: false } };
+        let Some(raw) = raw else { return Trend::UNKNOWN };
         self.looks.push_back((now, raw));
         while self.looks.len() > ENOUGH && self.looks.front().is_some_and(|look| now.since(look.0) > WINDOW) {
             self.looks.pop_front();
         }
-        let Some(pace) = self.pace() else { return Trend { changes: true, slows: true } };
+        let Some(pace) = self.pace(self.looks.len()) else { return Trend::ANYTHING };
         // Of positions the times at which they were read are known with their own error.
         let tolerance = |pace: i64| if self.movement == Movement::Speed { 0 } else { pace.abs() / 128 };
         let changes = self.steady.is_none_or(|steady| (pace - steady).abs() > tolerance(steady)) && !self.stands();
@@ -60,12 +75,23 @@ impl Watch {
             self.slowest = Some(sure);
         }
         self.before = Some(pace).filter(|_| self.movement == Movement::Position);
-        Trend { changes, slows }
+        Trend { changes, slows, rises: self.rises() }
     }
 
-    /// Speed of the shaft; of positions the mean change in a second.
-    fn pace(&self) -> Option<i64> {
-        let ((then, before), (now, after)) = (*self.looks.front()?, *self.looks.back()?);
+    /// Whether the last looks show a shaft that has clearly become faster again.
+    fn rises(&mut self) -> bool {
+        let Some(pace) = self.pace(FEW).filter(|_| self.looks.len() >= FEW) else { return false };
+        let pace = pace.abs();
+        let lowest = self.lowest.map_or(pace, |lowest| lowest.min(pace));
+        self.lowest = Some(lowest);
+        self.faster = if pace > lowest + (lowest / 4).max(SLIGHT) { self.faster.saturating_add(1) } else { 0 };
+        self.faster > 1
+    }
+
+    /// Speed of the shaft; of positions the mean change in a second, over so many looks.
+    fn pace(&self, looks: usize) -> Option<i64> {
+        let first = self.looks.len().checked_sub(looks)?;
+        let ((then, before), (now, after)) = (*self.looks.get(first)?, *self.looks.back()?);
         match self.movement {
             Movement::Speed => Some(after),
             Movement::Position if now <= then => None,
@@ -252,13 +278,13 @@ mod tests {
     fn a_first_look_and_no_look_tell_nothing_of_a_trend() {
         for movement in [Movement::Speed, Movement::Position] {
             let mut watch = Watch::new(movement);
-            assert_eq!(watch.see(at(0), None), Trend { changes: false, slows: false });
+            assert_eq!(watch.see(at(0), None), Trend::UNKNOWN);
             assert!(!watch.stands() && !watch.tells());
         }
         let mut watch = Watch::new(Movement::Position);
         // One place, and a second one at the same moment, show no pace: it may do anything.
-        assert_eq!(watch.see(at(5), Some(100)), Trend { changes: true, slows: true });
-        assert_eq!(watch.see(at(5), Some(300)), Trend { changes: true, slows: true });
+        assert_eq!(watch.see(at(5), Some(100)), Trend::ANYTHING);
+        assert_eq!(watch.see(at(5), Some(300)), Trend::ANYTHING);
     }
 
     #[test]
@@ -281,9 +307,14 @@ mod tests {
             for sign in [1, -1] {
                 let mut watch = Watch::new(Movement::Position);
                 watch.see(at(0), Some(0));
-                assert_eq!(watch.see(at(1_000), Some(sign * 12_800)), Trend { changes: true, slows: true });
+                assert_eq!(watch.see(at(1_000), Some(sign * 12_800)), Trend::ANYTHING);
                 let second = watch.see(at(2_000), Some(sign * place));
-                assert_eq!(second, Trend { changes, slows: false }, "{}: one look may have come late", sign * place);
+                assert_eq!(
+                    second,
+                    Trend { changes, slows: false, rises: false },
+                    "{}: one look may have come late",
+                    sign * place
+                );
                 assert_eq!(watch.see(at(3_000), Some(sign * place * 3 / 2)).slows, slows, "{}", sign * place);
             }
         }
@@ -297,7 +328,7 @@ mod tests {
                 let ms = index * beat;
                 watch.see(at(ms), Some((ms * ms) as i64));
             }
-            watch.pace().unwrap()
+            watch.pace(watch.looks.len()).unwrap()
         };
         // Of a place that is the square of the time in ms, the mean pace is the sum of both ends of the window.
         assert_eq!(pace(50, 41), (2_000 + 1_000) * 1_000, "the last second, both ends of it");

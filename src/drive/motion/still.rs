@@ -89,7 +89,9 @@ impl Motor<'_, '_> {
         loop {
             let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
             looks = looks.saturating_add(1);
-            if watch.see(self.session.now(), Some(raw)).slows {
+            let trend = watch.see(self.session.now(), Some(raw));
+            self.insist(trend).await?;
+            if trend.slows {
                 wait.renew(self.session.now());
                 if looks > FEW {
                     self.takes_time(Span::ZERO);

@@ -55,6 +55,7 @@ impl Motor<'_, '_> {
             return stop;
         }
         self.comes_to("stopping", None);
+        let silent = self.session.now().since(self.heard);
         let begun = self.begin_to_stop(choice, because == "interrupted");
         // Who has pressed more than once before it was his turn is not put off with the first.
         let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
@@ -72,9 +73,7 @@ impl Motor<'_, '_> {
             let tried = self.session.now();
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => {
-                    if is_unheard {
-                        self.notes_silence(tried.since(begun)).await;
-                    }
+                    self.notes_silence(silent, if is_unheard { tried.since(begun) } else { Span::ZERO }).await;
                     return self.proven(stop, proof).await;
                 }
                 Err(failure) => failure,

@@ -163,6 +163,31 @@ fn a_drive_that_restarted_in_the_last_moments_of_its_run_was_not_stopped() {
     }
 }
 
+/// The same where it comes back just as the stop goes out, so that this is answered at once.
+#[test]
+fn a_drive_that_is_back_as_its_run_ends_was_not_stopped() {
+    const SERVO: &str = "[[drive]]\nmodel = \"lxm05\"\nset = { IOposInterfac = 1 }\nservo = { guide = 163840 }\n";
+    const INVERTER: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"434\" = 3, \"228\" = 0 }\n";
+    for (drive, value) in [(SERVO, "900rpm"), (SERVO, "3A"), (INVERTER, "10Hz --take-control")] {
+        for way in ["ramp", "quick-stop", "coast"] {
+            let line = format!("-v -a 1 --yes sollwert {value} --enable --hold --duration 8s --on-exit {way}");
+            let calm = antrieb(&line).on(drive).run();
+            let begins = calm.err.split_once("running; Ctrl-C").unwrap().0.lines().rev();
+            let begins: u64 =
+                begins.filter_map(|line| line.split_once(" ms > ")?.0.trim().parse::<f64>().ok()).next().unwrap()
+                    as u64;
+            let mut back = 0;
+            for off in (2_600..=3_200).step_by(50) {
+                let cycle = format!("[[drive.event]]\nat = \"{}ms\"\npower_cycle = true\n", begins + 8_000 - off);
+                let run = antrieb(&line).on(&format!("{drive}{cycle}")).run();
+                assert!([4, 8].contains(&run.exit), "{off} {line}: exit {} {} {}", run.exit, run.out, run.err);
+                back += u32::from(run.out.contains("acknowledged") || run.err.contains("restart"));
+            }
+            assert!(back > 0, "{line}");
+        }
+    }
+}
+
 /// A silence alone is none of that, but nobody knows what happened in it.
 #[test]
 fn a_stop_that_was_heard_only_seconds_later_says_so() {

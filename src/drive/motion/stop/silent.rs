@@ -13,6 +13,8 @@ pub(in crate::drive::motion) const PURSUED: Span = Span::from_secs(20);
 pub(super) const PURSUED_ALONE: Span = Span::from_secs(6);
 /// A silence behind a stop that is told.
 const UNTOLD: Span = Span::from_secs(1);
+/// A drive that is without power for a moment is there again no sooner; it is asked whether it was.
+const OFF: Span = Span::from_millis(600);
 /// Who interrupts the strongest stop waits so long for it to be heard and proven.
 const HURRIED: Span = Span::from_secs(3);
 /// A drive that has been silent for long is asked no longer than this how it is, whatever `--timeout` says.
@@ -26,16 +28,16 @@ impl Motor<'_, '_> {
         }
     }
 
-    /// A drive that hears its stop so much later may have done anything meanwhile, such as coast without power.
-    pub(super) async fn notes_silence(&mut self, span: Span) {
-        if span < UNTOLD {
-            return;
+    /// A drive from which nothing came for so long `before` its stop, or that hears it so much later, may have done anything meanwhile,
+    /// such as coast without power.
+    pub(super) async fn notes_silence(&mut self, before: Span, span: Span) {
+        if span >= UNTOLD {
+            self.notes.push(both!(
+                "nothing answered the stop for {span}: what the shaft did meanwhile is not known",
+                "{span} lang hat nichts auf den Halt geantwortet: was die Welle inzwischen tat, ist unbekannt"
+            ));
         }
-        self.notes.push(both!(
-            "nothing answered the stop for {span}: what the shaft did meanwhile is not known",
-            "{span} lang hat nichts auf den Halt geantwortet: was die Welle inzwischen tat, ist unbekannt"
-        ));
-        if self.instead.is_none() {
+        if before + span >= OFF && self.instead.is_none() {
             self.instead = self.has_restarted().await;
         }
     }

@@ -4,12 +4,17 @@
 use super::super::Motor;
 use super::super::before::elsewhere;
 use super::super::own::shown;
+use super::super::shaft::Trend;
+use crate::failure::{Class, Failure};
 use crate::outcome::State;
 use crate::profile::{Mode, StopRow};
 use crate::text::{Text, both};
+use crate::tick::Span;
 
 /// So many answers to a stop may be doubted on any line.
 const DOUBTS: u64 = 3;
+/// A stop is not said sooner again than so.
+const INSISTS: Span = Span::from_millis(250);
 /// States from which a drive comes up again: no ramp ends there.
 const ANEW: &[&str] = &["not-ready", "switch-on-disabled"];
 
@@ -42,6 +47,29 @@ impl Motor<'_, '_> {
             "{label} ist {now}, ein Sollwert 0 hält also nichts an: gesendet wurde ein Schnellhalt statt der Rampe",
             label = param.label()
         ))
+    }
+
+    /// Says a stop once more to a drive that has become faster under it: somebody else writes to it. From time to time only; whether it
+    /// stands is what the looks tell.
+    pub(in super::super) async fn insist(&mut self, trend: Trend) -> Result<(), Failure> {
+        let Some((param, raw)) = self.again.clone().filter(|_| trend.rises) else { return Ok(()) };
+        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
+        let stops = if is_word { !self.enables(raw) } else { raw == 0 };
+        if !stops || self.session.now().since(self.fed) < INSISTS {
+            return Ok(());
+        }
+        let label = param.label();
+        let faster = both!(
+            "the drive became faster while it was to stop: somebody else writes to it; {label} = {raw} went out again",
+            "der Antrieb wurde schneller, während er anhalten sollte: jemand anderes schreibt ihm; {label} = {raw} ging nochmals hinaus"
+        );
+        if !self.notes.contains(&faster) {
+            self.notes.push(faster);
+        }
+        match self.write_once(&param, 0, raw).await {
+            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
+            _ => Ok(()),
+        }
     }
 
     /// A ramp that ends in a state out of which a drive comes up again was ended by its power.
