@@ -97,7 +97,8 @@ impl Failure {
         Text::join([Some(&self.told()), hint].into_iter().flatten(), "; ")
     }
 
-    fn said(&self) -> Text {
+    /// Its message, with the address that it belongs to, and without the alarm.
+    pub fn said(&self) -> Text {
         let message = &self.message;
         match self.of {
             Some(address) => both!("address {address}: {message}", "Adresse {address}: {message}", message),

@@ -60,6 +60,8 @@ pub(super) struct Plan<'p> {
     pub(super) relief: Option<Relief>,
     /// The drive is to run when it is done, unless the run is bounded.
     pub(super) runs: bool,
+    /// It leaves the drive without power.
+    pub(super) takes_power: bool,
     /// A setpoint of zero, which goes out first: the modes of a family in which it is one.
     pub(super) zero: Option<&'p Modes<'p>>,
     /// What takes motion away has gone out already.
@@ -87,6 +89,7 @@ impl<'p> Plan<'p> {
             aim,
             relief,
             runs: false,
+            takes_power: false,
             zero,
             said: false,
             keys: None,
@@ -102,7 +105,8 @@ impl<'p> Plan<'p> {
 
     /// Whether the drive is powered in it, or can be.
     fn powers(&self, before: &Situation) -> bool {
-        self.runs || self.args.hold || before.state == "operation-enabled" || self.action == "contacts"
+        let works_on = before.state == "operation-enabled" && !self.takes_power;
+        self.runs || self.args.hold || works_on || self.action == "contacts"
     }
 
     /// Whether nothing of this run is obeyed but its setpoint.

@@ -12,7 +12,7 @@ use super::verb::{Flow, Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, Takes};
 use crate::drive::motion::{
-    self, Motor, Situation, in_fault, missing, no_control, no_fault, surroundings, upon_enabling,
+    self, Motor, Situation, has_power, in_fault, missing, no_control, no_fault, surroundings, upon_enabling,
 };
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
@@ -200,7 +200,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         });
     }
     let relief = aim.filter(|_| Plan::only_relieves(motion, true));
-    let plan = Plan { aim, relief, runs: slug == "enable", ..Plan::of(slug, command.text(), motion) };
+    let (runs, takes_power) = (slug == "enable", slug == "shutdown");
+    let plan = Plan { aim, relief, runs, takes_power, ..Plan::of(slug, command.text(), motion) };
     commanded(context, plan, bounds).await
 }
 
@@ -308,7 +309,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     let announce = both!("walk to '{state}'", "gehen nach '{state}'", state = row.text());
     let runs = state == "operation-enabled";
     let hold = (motion.hold && runs).then_some(motion.duration);
-    let plan = Plan { runs, ..Plan::of("goto", announce, motion) };
+    let plan = Plan { runs, takes_power: has_power(state) == Some(false), ..Plan::of("goto", announce, motion) };
     running::run(
         context,
         plan,

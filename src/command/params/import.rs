@@ -65,6 +65,9 @@ pub(super) struct Options {
     /// Between the cells: `;` `,` tab [default: found out]
     #[arg(long, value_name = "CHAR", value_parser = separator, hide_short_help = true)]
     separator: Option<char>,
+    /// Before the decimals: `,` or `.` [default: found out]
+    #[arg(long, value_name = "CHAR", value_parser = decimal_mark, hide_short_help = true)]
+    decimal: Option<char>,
     /// table or mbmap [default: found out]
     #[arg(long = "as", value_enum, hide_possible_values = true, hide_short_help = true)]
     form: Option<Form>,
@@ -82,6 +85,14 @@ fn separator(text: &str) -> Result<char, Wrong> {
         _ => {
             text.parse().map_err(|_| Wrong(both!("expected one character, or tab", "erwartet: ein Zeichen, oder tab")))
         }
+    }
+}
+
+fn decimal_mark(text: &str) -> Result<char, Wrong> {
+    match text {
+        "," | "comma" | "komma" => Ok(','),
+        "." | "point" | "punkt" => Ok('.'),
+        _ => Err(Wrong(both!("expected ',' or '.'", "erwartet: ',' oder '.'"))),
     }
 }
 
@@ -123,6 +134,7 @@ impl Options {
             columns: self.column.clone(),
             sets: self.set.clone(),
             separator: self.separator,
+            commas: self.decimal.map(|mark| mark == ','),
             base: self.base,
             input_as_holding: self.input_as_holding,
             ignored: self.ignore.clone(),

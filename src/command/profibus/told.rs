@@ -91,10 +91,12 @@ pub(super) fn report(
     Outcome { data: Some(Data::Motion(data)), warnings: beside.into_iter().collect(), failure }
 }
 
+/// What is left of it decides, unless somebody interrupted: that is what came of the run then.
 fn together(left: Failure, why: &Failure) -> Failure {
-    let mut left = left;
-    left.message = Text::join([&left.message, &why.told()], "; ");
-    left
+    let (first, then) = if why.class == Class::Interrupted { (why, &left) } else { (&left, why) };
+    let message = Text::join([&first.message, &then.said()], "; ");
+    let (alarm, hint) = (left.alarm || why.alarm, left.hint.clone().or_else(|| why.hint.clone()));
+    Failure { alarm, message, hint, ..first.clone() }
 }
 
 fn setpoint(job: &Job<'_>, run: &Run, seen: Option<Seen>) -> Option<Setpoint> {

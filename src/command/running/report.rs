@@ -10,6 +10,8 @@ use crate::text::{Text, both};
 
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
+/// How often one that somebody else enables again is stopped again.
+const MOST_ENABLED: u8 = 2;
 
 /// What a run leaves: a drive that answers again, and runs, gets its stop as soon as that is seen.
 pub(super) async fn aftermath(
@@ -18,10 +20,14 @@ pub(super) async fn aftermath(
     plan: &Plan<'_>,
 ) -> (Done, Option<Situation>) {
     let mut after = motor.leave().await;
-    for _ in 0..MOST_RETURNS {
-        let Some(stop) = ended.stop.as_ref().filter(|_| motor.unheard) else { break };
+    for nth in 0..MOST_RETURNS {
+        let is_again = |stop: &&Stop| stop.acknowledged && nth < MOST_ENABLED;
+        let Some(stop) = ended.stop.as_ref().filter(|stop| motor.unheard || is_again(stop)) else { break };
         if !after.as_ref().is_some_and(has_power) {
             break;
+        }
+        if !motor.unheard {
+            motor.notes_enabled_again();
         }
         ended.stop = Some(motor.stop_after_all(stop).await);
         after = motor.leave().await;
@@ -32,6 +38,12 @@ pub(super) async fn aftermath(
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
+    if standing != Some(true)
+        && (plan.aim.is_some_and(|aim| aim != Relief::Zero) || ended.stop.is_some())
+        && let Some(seen) = after.as_mut().filter(|seen| !has_power(seen))
+    {
+        motor.look_again(seen).await;
+    }
     let unseen = match plan.aim {
         Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),
         _ => None,

@@ -217,6 +217,7 @@ impl Motor<'_, '_> {
             };
             looked = self.shown.map_or(now, |(_, at)| at);
             let takes = now.since(asked);
+            self.expects_answers_within(takes);
             // What is given again and the look at the state come in time behind it.
             let room = self.guard.map(|guard| Span::from_micros(guard.as_micros() / 16 * 15) - takes.times(2));
             let by = room.map(|room| looked + room);

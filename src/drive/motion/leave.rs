@@ -1,9 +1,15 @@
 //! What is known of the drive as the program leaves: only what is reported, and in one short time.
 
 use super::look::{watchdog_seconds, working_raw};
-use super::{Motor, Situation};
+use super::{Motor, Situation, has_power};
 use crate::drive::describe;
 use crate::outcome::Decimal;
+use crate::text::both;
+use crate::tick::Span;
+
+/// So often it is looked whether a drive stays without power that somebody else has enabled again, and so long is waited between.
+const RETURNS: u8 = 3;
+const MOMENT: Span = Span::from_millis(150);
 
 impl Motor<'_, '_> {
     /// What the drive says as the program leaves. Where it says nothing more, what was seen last still tells that it was
@@ -25,6 +31,39 @@ impl Motor<'_, '_> {
         };
         let watchdog_s = self.watchdog_in_force().await;
         Some(Situation { status, state, fault, watchdog_s, ..Situation::default() })
+    }
+
+    /// A drive that had been seen without power may have got it again while its shaft was looked at: then its stop is said once more, and
+    /// what it shows a moment later counts.
+    pub async fn look_again(&mut self, seen: &mut Situation) {
+        for nth in 0..RETURNS {
+            let Ok(status) = self.status().await else { return };
+            let state = describe::state(&self.target.family, status).slug;
+            let is_on = has_power(&state) == Some(true);
+            (seen.status, seen.state) = (status, state);
+            if !is_on || nth + 1 == RETURNS {
+                return;
+            }
+            self.notes_enabled_again();
+            if self.rest(MOMENT).await.is_err() || !matches!(self.say_stop_again().await, Ok(Some(_))) {
+                return;
+            }
+            if self.rest(MOMENT).await.is_err() {
+                return;
+            }
+        }
+    }
+
+    /// Somebody else has enabled a drive that had been stopped.
+    pub fn notes_enabled_again(&mut self) {
+        let text = both!(
+            "it was enabled again behind its stop, by somebody else: the stop went out again",
+            "er wurde hinter seinem Halt wieder freigegeben, von jemand anderem: der Halt ging nochmals hinaus"
+        );
+        if !self.notes.contains(&text) {
+            self.tell(text.clone());
+            self.notes.push(text);
+        }
     }
 
     /// The drive's watchdog as it is now; `None` if that was told at no time.

@@ -63,7 +63,7 @@ use held::Clock;
 use own::Course;
 use std::panic::AssertUnwindSafe;
 use still::Sight;
-use taking::Taken;
+use taking::{Lever, Taken};
 use watchdog::guard;
 
 /// Whether the shaft did not become slower.
@@ -80,20 +80,6 @@ const ENDING_ALONE: Span = Span::from_millis(1_500);
 pub const WAITS: Span = Span::from_micros(
     5 * patience::USUAL.as_micros() + 2 * stop::PURSUED.as_micros() + ENDING.as_micros() + ENDING_ALONE.as_micros(),
 );
-
-/// What a run has its hand on; the stop must use the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Lever {
-    /// The control word commands the state machine.
-    ControlWord,
-    /// The control word stands for contacts: all open is the stop. A command of the state machine would close contacts
-    /// here and could start the drive.
-    Contacts,
-    /// Somebody else starts and stops the drive; ours is the setpoint, and zero is the stop.
-    Setpoint,
-    /// Control was taken away in the run. What is left are our setpoint, and a control word that asks for nothing.
-    Taken,
-}
 
 /// A drive that is to be moved.
 #[derive(Debug)]
@@ -147,7 +133,7 @@ pub struct Motor<'a, 's> {
     still: Option<Option<bool>>,
     /// When the drive answered last.
     heard: Tick,
-    /// The longest time of a held run in which nothing came from it.
+    /// The longest time of a held run, or of its stop, in which nothing came from it.
     gap: Span,
     /// When it was last looked at who has control.
     minded: Tick,
@@ -166,6 +152,8 @@ pub struct Motor<'a, 's> {
     /// When it was written to last, and what can be written to it again without changing anything.
     fed: Tick,
     again: Option<(Param, i64)>,
+    /// So often its stop was said again, because it had become faster.
+    insisted: u8,
     /// What is set, once that is known.
     pub mode: Option<Mode>,
     /// The drive's watchdog, if it is on.
@@ -259,6 +247,7 @@ impl<'a, 's> Motor<'a, 's> {
             clock: Clock::default(),
             fed: now,
             again: None,
+            insisted: 0,
             mode: None,
             guard,
             first_seen: None,
@@ -424,8 +413,14 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// The drive has answered.
     fn hears(&mut self) {
-        self.heard = self.session.now();
+        self.heard_now();
         self.goes_on();
+    }
+
+    fn heard_now(&mut self) -> Tick {
+        let now = self.session.now();
+        self.gap = self.gap.longer(now.since(std::mem::replace(&mut self.heard, now)));
+        now
     }
 
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
@@ -473,8 +468,7 @@ impl<'a, 's> Motor<'a, 's> {
                 Err(failure)
             }
             Ok(_) => {
-                self.fed = self.session.now();
-                self.heard = self.fed;
+                self.fed = self.heard_now();
                 Ok(())
             }
         }

@@ -134,6 +134,10 @@ impl Motor<'_, '_> {
             if state.slug.starts_with("fault") && !fault_is_fine {
                 return Err(self.fault_failure().await);
             }
+            if takes.is_none() && self.works {
+                // One that is in operation still, or again, where nothing ramps.
+                self.say_stop_again().await?;
+            }
             let slows = takes.is_some() && self.slows(&mut watch).await?;
             if slows || seen.as_ref() != Some(&state.slug) {
                 seen = Some(state.slug.clone());

@@ -77,6 +77,7 @@ impl Motor<'_, '_> {
         self.looked_at_before();
         self.session.insist(true);
         self.session.warns(unanswered_stop());
+        self.again = self.control_word().ok().zip(self.blind_word(act).map(i64::from));
         match self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await {
             Err(failure) if self.is_off() && failure.is_unheard() => {
                 self.tell_lost(&failure);
@@ -310,16 +311,20 @@ impl Motor<'_, '_> {
         ));
     }
 
-    /// Sends the word that can only stop, whatever the drive takes it for.
-    async fn say_blindly(&mut self, act: Relief) -> Result<(), Failure> {
-        let family = self.target.family.clone();
+    /// The word that can only stop, whatever the drive takes it for.
+    fn blind_word(&self, act: Relief) -> Option<u16> {
+        let family = &self.target.family;
         // As contacts 07h, "disable operation", could start something (see `shout`).
         let slug = match act {
             Relief::Disable if family.motion.control.is_some() => Some("quick-stop"),
             act => command_of(act),
         };
         let usual = slug.and_then(|slug| family.machine.command(slug)).map(|command| command.word);
-        let (Some(word), param) = (self.first_word.word.or(usual), self.control_word()?) else { return Ok(()) };
+        self.first_word.word.or(usual)
+    }
+
+    async fn say_blindly(&mut self, act: Relief) -> Result<(), Failure> {
+        let (Some(word), param) = (self.blind_word(act), self.control_word()?) else { return Ok(()) };
         self.write(&param, 0, word.into()).await
     }
 

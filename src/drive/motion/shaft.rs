@@ -16,9 +16,10 @@ pub(super) struct Watch {
     slowest: Option<i64>,
     /// The pace at the look before, of positions.
     before: Option<i64>,
-    /// The slowest pace of the last looks alone, and how often one after the other they were clearly faster.
-    lowest: Option<i64>,
-    faster: u8,
+    /// The slowest and the fastest pace of the last looks alone since it fell, and when it was clearly faster first.
+    lowest: i64,
+    peak: i64,
+    faster: Option<Tick>,
 }
 
 /// What a look has shown.
@@ -28,14 +29,14 @@ pub(super) struct Trend {
     pub(super) changes: bool,
     /// It has become slower than it was at any time before.
     pub(super) slows: bool,
-    /// It has clearly become faster than it was before, at more than one look.
-    pub(super) rises: bool,
+    /// For how long it has been clearly faster than before, at more than one look, and has not fallen again.
+    pub(super) rises: Option<Span>,
 }
 
 impl Trend {
-    const UNKNOWN: Trend = Trend { changes: false, slows: false, rises: false };
+    const UNKNOWN: Trend = Trend { changes: false, slows: false, rises: None };
     /// One place alone: it may do anything.
-    const ANYTHING: Trend = Trend { changes: true, slows: true, rises: false };
+    const ANYTHING: Trend = Trend { changes: true, slows: true, rises: None };
 }
 
 /// How far back looks tell, and how many do at least.
@@ -51,7 +52,16 @@ const JITTER: i64 = 1;
 
 impl Watch {
     pub(super) fn new(movement: Movement) -> Self {
-        Watch { movement, looks: VecDeque::new(), steady: None, slowest: None, before: None, lowest: None, faster: 0 }
+        Watch {
+            movement,
+            looks: VecDeque::new(),
+            steady: None,
+            slowest: None,
+            before: None,
+            lowest: i64::MAX,
+            peak: 0,
+            faster: None,
+        }
     }
 
     /// Takes a look.
@@ -75,17 +85,24 @@ impl Watch {
             self.slowest = Some(sure);
         }
         self.before = Some(pace).filter(|_| self.movement == Movement::Position);
-        Trend { changes, slows, rises: self.rises() }
+        Trend { changes, slows, rises: self.rises(now) }
     }
 
-    /// Whether the last looks show a shaft that has clearly become faster again.
-    fn rises(&mut self) -> bool {
-        let Some(pace) = self.pace(FEW).filter(|_| self.looks.len() >= FEW) else { return false };
-        let pace = pace.abs();
-        let lowest = self.lowest.map_or(pace, |lowest| lowest.min(pace));
-        self.lowest = Some(lowest);
-        self.faster = if pace > lowest + (lowest / 4).max(SLIGHT) { self.faster.saturating_add(1) } else { 0 };
-        self.faster > 1
+    /// For how long the last looks have shown a shaft that is clearly faster than it was.
+    fn rises(&mut self, now: Tick) -> Option<Span> {
+        let few = if self.movement == Movement::Speed { 1 } else { FEW };
+        let pace = self.pace(few).filter(|_| self.looks.len() >= few)?.saturating_abs();
+        if pace < self.peak - self.peak / 16 {
+            // It falls: what it was before that is over.
+            (self.lowest, self.peak, self.faster) = (pace, pace, None);
+        }
+        (self.lowest, self.peak) = (self.lowest.min(pace), self.peak.max(pace));
+        if pace <= self.lowest + (self.lowest / 4).max(SLIGHT) {
+            return None;
+        }
+        let first = self.faster.is_none();
+        let since = *self.faster.get_or_insert(now);
+        (!first).then(|| now.since(since))
     }
 
     /// Speed of the shaft; of positions the mean change in a second, over so many looks.
@@ -311,7 +328,7 @@ mod tests {
                 let second = watch.see(at(2_000), Some(sign * place));
                 assert_eq!(
                     second,
-                    Trend { changes, slows: false, rises: false },
+                    Trend { changes, slows: false, rises: None },
                     "{}: one look may have come late",
                     sign * place
                 );

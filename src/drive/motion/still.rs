@@ -4,6 +4,7 @@ use super::Motor;
 use super::look::working;
 use super::patience::{FEW, Wait};
 use super::shaft::Watch;
+use super::stop::DISOBEYED;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Event, State};
@@ -85,12 +86,17 @@ impl Motor<'_, '_> {
 
     async fn watched(&mut self, mut wait: Wait) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let mut looks = 0u8;
+        let (mut looks, mut slowed, mut minded) = (0u8, self.session.now(), false);
         loop {
             let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
             looks = looks.saturating_add(1);
             let trend = watch.see(self.session.now(), Some(raw));
             self.insist(trend).await?;
+            if trend.slows {
+                slowed = self.session.now();
+            } else if self.session.now().since(slowed) >= DISOBEYED && !std::mem::replace(&mut minded, true) {
+                self.mind_mode().await?;
+            }
             if trend.slows {
                 wait.renew(self.session.now());
                 if looks > FEW {
@@ -110,7 +116,8 @@ impl Motor<'_, '_> {
         let mut watch = Watch::new(self.target.family.motion.movement);
         loop {
             let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
-            watch.see(self.session.now(), Some(raw));
+            let trend = watch.see(self.session.now(), Some(raw));
+            self.insist(trend).await?;
             if watch.tells() {
                 return Ok(self.stands(&watch));
             }
@@ -142,7 +149,7 @@ impl Motor<'_, '_> {
     }
 
     /// The failure to show where the shaft does not come to rest.
-    fn still_turning(&self, state: &State) -> Failure {
+    pub(super) fn still_turning(&self, state: &State) -> Failure {
         let text = both!(
             "the shaft does not come to rest; state: {state}",
             "die Welle kommt nicht zum Stillstand; Zustand: {state}",

@@ -18,6 +18,7 @@ pub use choice::StopChoice;
 pub(super) use silent::PURSUED;
 use silent::PURSUED_ALONE;
 use told::started_by_others;
+pub(super) use unbidden::DISOBEYED;
 
 /// How often the stop at the end is tried at least on a line that does not answer.
 const STOP_TRIES: u8 = 5;
@@ -55,7 +56,7 @@ impl Motor<'_, '_> {
             return stop;
         }
         self.comes_to("stopping", None);
-        let silent = self.session.now().since(self.heard);
+        self.gap = self.session.now().since(self.heard);
         let begun = self.begin_to_stop(choice, because == "interrupted");
         // Who has pressed more than once before it was his turn is not put off with the first.
         let (mut way, mut tries, mut again) = (choice.stronger_by(self.fresh_presses().saturating_sub(1)), 1, true);
@@ -73,7 +74,7 @@ impl Motor<'_, '_> {
             let tried = self.session.now();
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => {
-                    self.notes_silence(silent, if is_unheard { tried.since(begun) } else { Span::ZERO }).await;
+                    self.notes_silence(if is_unheard { tried.since(begun) } else { Span::ZERO }).await;
                     return self.proven(stop, proof).await;
                 }
                 Err(failure) => failure,

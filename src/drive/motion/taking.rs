@@ -1,7 +1,7 @@
 //! Taking control of a drive from somebody else, and giving it back.
 
 use super::own::shown;
-use super::{Lever, Motor, Situation, has_power, role_raw};
+use super::{Motor, Situation, has_power, role_raw};
 use crate::drive::{Session, Target};
 use crate::failure::Failure;
 use crate::outcome::{Change, State};
@@ -191,6 +191,20 @@ impl Motor<'_, '_> {
             self.taken = if self.is_released(status) == Some(true) { Taken::Idle } else { Taken::Open };
         }
     }
+}
+
+/// What a run has its hand on; the stop must use the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lever {
+    /// The control word commands the state machine.
+    ControlWord,
+    /// The control word stands for contacts: all open is the stop. A command of the state machine would close contacts
+    /// here and could start the drive.
+    Contacts,
+    /// Somebody else starts and stops the drive; ours is the setpoint, and zero is the stop.
+    Setpoint,
+    /// Control was taken away in the run. What is left are our setpoint, and a control word that asks for nothing.
+    Taken,
 }
 
 /// What is known of the drive as control over it was taken from somebody else.

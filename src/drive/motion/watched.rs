@@ -26,8 +26,13 @@ const EVERY: Span = Span::from_millis(250);
 const SOONEST: Span = Span::from_millis(200);
 /// What a question for the view is taken to cost before one was asked.
 const COST: Span = Span::from_millis(60);
+/// And at most: an answer that took longer was lost, and the next one is not.
+const DEAREST: Span = Span::from_millis(600);
 /// What was seen longer ago is not shown any more.
 const STALE: Span = Span::from_secs(3);
+/// The pause of a run is no longer for what is shown than this, and has this to spare.
+const LONGEST: Span = Span::from_secs(1);
+const SLACK: Span = Span::from_millis(20);
 /// Where one was not answered none is asked for so long.
 const SULK: Span = Span::from_secs(5);
 
@@ -266,7 +271,9 @@ impl Motor<'_, '_> {
         shown.news.setpoint = setpoint.map(|setpoint| setpoint.value);
         shown.news.unit = setpoint.map(|setpoint| setpoint.unit.clone()).filter(|unit| !unit.is_empty());
         shown.changes(self.session);
-        let oldest = seconds(now.since(shown.begun + STALE)).raw;
+        // Of a drive that answers slowly every value is asked for more seldom.
+        let stale = STALE.longer(shown.cost.times(8 * shown.rows.len() as u64));
+        let oldest = seconds(now.since(shown.begun + stale)).raw;
         // What was given is what stands, where there was no time to ask for it.
         if let Some(setpoint) = setpoint
             && let Some(row) = shown.rows.iter_mut().find(|row| row.param.id == setpoint.param)
@@ -327,10 +334,27 @@ impl Motor<'_, '_> {
     /// The pause before the next round of a run that is held, of which what is shown takes a part. It ends when it is to end,
     /// whatever the drive answers; `end` is that of the run.
     pub(super) async fn spend(&mut self, pause: Span, end: Option<Tick>) -> Result<(), Failure> {
-        let until = self.session.now() + pause;
+        let until = self.session.now() + pause.longer(self.room_for_a_value(end));
         self.fill(until, end).await?;
         let now = self.session.now();
         if now < until { self.rest(until.since(now)).await } else { Ok(()) }
+    }
+
+    /// How long a pause has room for one value that is shown, however slowly the drive answers; no longer than its watchdog and the end
+    /// leave.
+    fn room_for_a_value(&self, end: Option<Tick>) -> Span {
+        let Some(shown) = &self.watched else { return Span::ZERO };
+        let most = self.guard.map_or(LONGEST, |guard| Span::from_micros(guard.as_micros() / 4));
+        let most = end.map_or(most, |end| most.min(end.since(self.session.now())));
+        let cost = Span::from_micros(shown.cost.as_micros() / 4 * 5);
+        (cost + INSIST + SLACK).min(most)
+    }
+
+    /// So long took an answer: the next one for the view will hardly take less.
+    pub(super) fn expects_answers_within(&mut self, took: Span) {
+        if let Some(shown) = &mut self.watched {
+            shown.cost = took.min(DEAREST).longer(Span::from_micros(shown.cost.as_micros() / 8 * 7));
+        }
     }
 
     /// Asks for what is shown, as far as that fits into a pause.
@@ -390,9 +414,7 @@ impl Motor<'_, '_> {
             let read = self.target.read_set(self.session, &param, 0).await;
             self.session.set_retries(retries);
             let took = self.session.now().since(now);
-            if let Some(shown) = &mut self.watched {
-                shown.cost = took.longer(Span::from_micros(shown.cost.as_micros() / 8 * 7));
-            }
+            self.expects_answers_within(took);
             match read {
                 Ok(reading) => self.sees(&param, reading.raw),
                 Err(AccessError::Refused(_)) => {

@@ -42,8 +42,8 @@ pub(super) fn number(text: &str, commas: bool) -> Option<String> {
         _ => digits.to_owned(),
     };
     let (whole, fraction) = plain.split_once('.').unwrap_or((&plain, ""));
-    let are_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    if whole.len() + fraction.len() == 0 || !are_digits(whole) || !are_digits(fraction) {
+    let is_plain = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if whole.len() + fraction.len() == 0 || !is_plain(whole) || !is_plain(fraction) {
         return None;
     }
     let whole = whole.trim_start_matches('0');
@@ -51,15 +51,28 @@ pub(super) fn number(text: &str, commas: bool) -> Option<String> {
     Some(if fraction.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") })
 }
 
-/// Whether a cell has a decimal comma that can be nothing else: not before three digits, or behind a point that parts thousands.
-pub(super) fn has_comma(text: &str) -> bool {
-    text.split_once(',').is_some_and(|(whole, fraction)| {
-        let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+/// Whether a cell has a decimal mark, a point or a comma, that can be nothing else: not before three digits, or behind the other one,
+/// which parts thousands.
+pub(super) fn has_decimal(text: &str, mark: char) -> bool {
+    let thousands = if mark == ',' { '.' } else { ',' };
+    text.split_once(mark).is_some_and(|(whole, fraction)| {
         let whole = whole.trim_start_matches('-');
         let fraction = fraction.split(' ').next().unwrap_or("");
-        let is_certain = fraction.len() != 3 || whole == "0" || whole.contains('.');
-        digits(&whole.replace('.', "")) && digits(fraction) && is_certain
+        let is_certain = fraction.len() != 3 || whole == "0" || whole.contains(thousands);
+        are_digits(&whole.replace(thousands, "")) && are_digits(fraction) && is_certain
     })
+}
+
+/// Whether its only point or comma may part thousands as well as decimals: `1.000`, `12,500 Hz`.
+pub(super) fn is_open(text: &str) -> bool {
+    let number = text.trim_start_matches('-').split(' ').next().unwrap_or("");
+    number.split_once(['.', ',']).is_some_and(|(whole, rest)| {
+        (1..=3).contains(&whole.len()) && whole != "0" && rest.len() == 3 && are_digits(whole) && are_digits(rest)
+    })
+}
+
+fn are_digits(part: &str) -> bool {
+    !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The number of a parameter: `370`, `P.370`, `P370`, `0x172`, `172h`.
@@ -255,7 +268,32 @@ mod tests {
             ("a,b", false),
             ("1,2,3", false),
         ] {
-            assert_eq!(has_comma(cell), has, "{cell}");
+            assert_eq!(has_decimal(cell, ','), has, "{cell}");
+            let swapped: String = cell
+                .chars()
+                .map(|c| {
+                    if c == ',' {
+                        '.'
+                    } else if c == '.' {
+                        ','
+                    } else {
+                        c
+                    }
+                })
+                .collect();
+            assert_eq!(has_decimal(&swapped, '.'), has, "{swapped}");
+        }
+        for (cell, open) in [
+            ("1.000", true),
+            ("-12,500 Hz", true),
+            ("0.125", false),
+            ("1.5", false),
+            ("1.000.000", false),
+            ("1.000,5", false),
+            ("1000", false),
+            ("a.bcd", false),
+        ] {
+            assert_eq!(is_open(cell), open, "{cell}");
         }
     }
 

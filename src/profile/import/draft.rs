@@ -13,6 +13,8 @@ pub struct Wishes {
     pub sets: Vec<(String, String)>,
     /// What parts two cells.
     pub separator: Option<char>,
+    /// Its decimal mark is a comma, or a point.
+    pub commas: Option<bool>,
     /// The number that stands for register 0: 0, 1, 40001 …
     pub base: Option<u32>,
     /// Input registers are read as holding registers.

@@ -6,15 +6,21 @@ use super::export::RAW;
 use super::heading::{self, Head, Whom};
 use super::sheet::{self, Record};
 use crate::profile::link::INPUTS;
-use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
+use crate::profile::param::{Access, Type};
 use crate::profile::paramfile::ranges;
 use crate::text::{Text, both};
+use odd::Odd;
 use std::ops::RangeInclusive;
+
+mod odd;
+mod words;
 
 /// Registers as they are printed, holding registers with a 4 in front and input registers with a 3, of five digits or of six: 40001 is holding
 /// register 0 and 30001 input register 0, or so most makers mean it.
 const PRINTED: [[RangeInclusive<u32>; 2]; 2] = [[40_001..=49_999, 30_001..=39_999], [400_001..=465_536, INPUTS]];
 
+/// Fields with numbers that may have decimals.
+const NUMBERS: [&str; 5] = ["scale", "range", "min", "max", "default"];
 /// Lines of a list: a catalogue of 4 MB has room for fewer.
 const MOST_ROWS: usize = 50_000;
 /// Cells of a line.
@@ -47,7 +53,9 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let unused = heads.iter().enumerate().filter(|(column, cell)| is_free(*column) && !cell.is_empty());
     let unused = unused.map(|(_, cell)| cell.clone()).collect();
     let records = records.get(head.rows_from..).unwrap_or(&[]);
-    let commas = records.iter().flat_map(|record| &record.cells).any(|cell| cells::has_comma(cell));
+    let all = || records.iter().flat_map(|record| &record.cells);
+    let has = |mark: char| all().any(|cell| cells::has_decimal(cell, mark));
+    let commas = wishes.commas.unwrap_or_else(|| has(','));
     head.check_wishes(records, wishes)?;
     let wide = List::has_short(records, &head);
     let mut list = List { head: &head, wishes, commas, wide, width: heads.len(), odd: Vec::new() };
@@ -58,6 +66,9 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
             Ok(draft) => drafts.push(draft),
             Err(why) => left_out.push(LeftOut { line: record.line, why }),
         }
+    }
+    if wishes.commas.is_none() && has('.') == has(',') {
+        list.notes_guessed(records);
     }
     let notes = list.odd.iter().map(Odd::told).chain(list.open_access()).collect();
     let (format, separator, columns, head) = ("table", Some(separator), head.columns.clone(), head.line);
@@ -107,39 +118,6 @@ struct List<'a> {
     /// So many headings.
     width: usize,
     odd: Vec<Odd>,
-}
-
-/// What is said of some cells, and these with their lines.
-struct Odd {
-    what: Text,
-    cells: Vec<(usize, String)>,
-}
-
-impl Odd {
-    /// So many cells are shown.
-    const SHOWN: usize = 3;
-
-    fn told(&self) -> Text {
-        let mut cells: Vec<&str> = Vec::new();
-        for (_, cell) in &self.cells {
-            if !cells.contains(&&**cell) {
-                cells.push(cell);
-            }
-        }
-        let more = if cells.len() > Self::SHOWN { ", …" } else { "" };
-        let cells = cells.iter().take(Self::SHOWN).map(|cell| format!("'{cell}'")).collect::<Vec<_>>().join(", ");
-        let (what, count) = (&self.what, self.cells.len());
-        let lines = ranges(self.cells.iter().filter_map(|(line, _)| u32::try_from(*line).ok()));
-        if count == 1 {
-            return both!("line {lines}: {cells}: {what}", "Zeile {lines}: {cells}: {what}", lines, cells, what);
-        }
-        let (line, zeile) = if lines.contains([',', '-']) { ("lines", "Zeilen") } else { ("line", "Zeile") };
-        both!(
-            "{line} {lines}, {count} cells ({cells}{more}): {what}",
-            "{zeile} {lines}, {count} Zellen ({cells}{more}): {what}",
-            what
-        )
-    }
 }
 
 impl List<'_> {
@@ -424,66 +402,20 @@ impl List<'_> {
         }
     }
 
-    /// What only a list has that was written by `params export`.
-    fn words(&self, record: &Record, draft: &mut Draft) {
-        let is = |field: &str| self.get(record, field).is_some_and(cells::yes);
-        draft.sets = match self.get(record, "sets").map(cells::dense).as_deref() {
-            Some("1" | "one") => Some(Sets::One),
-            Some("4" | "four") => Some(Sets::Four),
-            _ => None,
-        };
-        draft.volatile = is("volatile");
-        draft.hex = is("hex");
-        if self.get(record, "effective") == Some("reset") {
-            draft.effective = Effective::Reset;
+    /// Nothing in the list told whether a point, or a comma, parts thousands or decimals.
+    fn notes_guessed(&mut self, records: &[Record]) {
+        let (mark, other) = if self.commas { (',', '.') } else { ('.', ',') };
+        for record in records {
+            for cell in
+                NUMBERS.iter().filter_map(|field| self.head.cell(record, field)).filter(|cell| cells::is_open(cell))
+            {
+                let what = both!(
+                    "nothing tells whether these have thousands or decimals: '{mark}' was taken for the decimal mark; --decimal '{mark}' or '{other}' says it",
+                    "nichts sagt, ob das Tausender oder Nachkommastellen sind: '{mark}' gilt als Dezimalzeichen; --decimal '{mark}' oder '{other}' sagt es"
+                );
+                self.note(record.line, what, cell);
+            }
         }
-        draft.hazard = match self.get(record, "hazard") {
-            Some("motion") => Some(HazardKind::Motion),
-            Some("line") => Some(HazardKind::Line),
-            Some("reset") => Some(HazardKind::Reset),
-            _ => None,
-        };
-        draft.module = self.text(record, "module");
-        draft.source = self.text(record, "source");
-        draft.group = self.text(record, "group");
-        let list = |field: &str| -> Vec<String> {
-            self.get(record, field)
-                .unwrap_or_default()
-                .split([' ', ','])
-                .filter(|word| !word.is_empty())
-                .map(str::to_owned)
-                .collect()
-        };
-        draft.unconfirmed = list("unconfirmed");
-        // Of a family of its own that is so wherever nothing is said (`catalogue::merge`).
-        draft.unconfirmed.retain(|field| !self.wishes.own || field != "volatile");
-        draft.drives = list("drives");
-        let [en, de] =
-            ["note_en", "note_de"].map(|field| self.text(record, field).or_else(|| self.text(record, "note")));
-        draft.note = match (en, de) {
-            (None, None) => None,
-            (Some(one), None) | (None, Some(one)) => Some(Text::name(one)),
-            (Some(en), Some(de)) => Some(Text { en: en.into(), de: de.into() }),
-        };
-        let when = self.get(record, "bits_when").unwrap_or_default().split('|').filter_map(|part| {
-            let (param, rest) = part.trim().split_once('=')?;
-            let (value, bits) = rest.split_once(':')?;
-            Some((param.parse().ok()?, value.parse().ok()?, bits.to_owned()))
-        });
-        draft.bits_when = when.collect();
-    }
-
-    /// Values with names in one or both languages.
-    fn names(&self, record: &Record, fields: [&str; 2], both: &str) -> Vec<(i64, Text)> {
-        let [en, de] = fields
-            .map(|field| cells::values(self.get(record, field).or_else(|| self.get(record, both)).unwrap_or_default()));
-        let (first, other) = if en.is_empty() { (&de, &en) } else { (&en, &de) };
-        let pair = |(raw, name): &(i64, String)| {
-            let twin = other.iter().find(|row| row.0 == *raw).map_or(name, |row| &row.1).clone();
-            let (en, de) = if en.is_empty() { (twin, name.clone()) } else { (name.clone(), twin) };
-            (*raw, Text { en: en.into(), de: de.into() })
-        };
-        first.iter().map(pair).collect()
     }
 
     /// Nobody said who may write.

@@ -124,10 +124,17 @@ fn a_lost_answer_keeps_the_view_from_asking_only_where_it_was_its_own() {
 #[test]
 fn on_a_slow_line_the_values_of_a_run_take_turns() {
     let (model, keys, line) = DRIVES[1];
-    for delay in [20, 40] {
+    for (delay, oldest, seldom) in [(20, 2_000, 500), (40, 2_000, 500), (150, 5_000, 1_500), (300, 14_000, 2_500)] {
         let keys = format!("{keys}\nreply_delay = \"{delay}ms\"");
-        let (value, look) = waited(&run((model, &keys, line), "--view --duration 12s", &mut |_, _, _| {}));
-        assert!(value < 2_000 && look < 500, "{delay}: {value} {look}");
+        let seen = run((model, &keys, line), "--view --duration 20s", &mut |_, _, _| {});
+        let (value, look) = waited(&seen);
+        assert!(value < oldest && look < seldom, "{delay}: {value} {look}");
+        let end = since(&seen, "stopping");
+        assert!(
+            (18_500_000..20_300_000).contains(&(end - since(&seen, "held"))),
+            "{delay}: {} {end}",
+            since(&seen, "held")
+        );
     }
 }
 

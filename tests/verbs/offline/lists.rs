@@ -340,6 +340,64 @@ fn what_is_exported_comes_back_the_same() {
     }
 }
 
+/// Where every number has a group of three, nobody knows what its mark parts: that is said, and an option tells it.
+#[test]
+fn a_list_that_does_not_tell_its_decimal_mark_says_so() {
+    const LIST: &str =
+        "Nr;Bezeichnung;Typ;Nachkommastellen;Max;Werk\n7001;A;long;3;1.000;1.000\n7002;B;long;3;2.500;1,250\n";
+    let import = |options: &str, list: &str| {
+        antrieb(&format!("--drive acu params import {{dir}}/a.csv {options}")).file("a.csv", list).exits(0).out
+    };
+    let open = "lines 2-3, 4 cells ('1.000', '2.500', '1,250'): nothing tells whether these have thousands or decimals";
+    let told = import("", LIST);
+    assert!(told.contains(open) && told.contains("max = \"2.5\""), "{told}");
+    for (options, max, default) in
+        [("--decimal ,", "max = 2500", "default = \"1.25\""), ("--decimal .", "max = \"2.5\"", "")]
+    {
+        let told = import(options, LIST);
+        assert!(!told.contains("nothing tells whether") && told.contains(max) && told.contains(default), "{told}");
+    }
+    for certain in ["7003;C;long;3;0,5;0", "7003;C;long;3;0.5;0"] {
+        let told = import("", &format!("{LIST}{certain}\n"));
+        assert!(!told.contains("nothing tells whether"), "{told}");
+    }
+    // One that has both says nothing either.
+    assert!(import("", &format!("{LIST}7003;C;long;3;0,5;0.5\n")).contains("4 cells"));
+    antrieb("--drive acu params import {dir}/a.csv --decimal ;").file("a.csv", LIST).exits(2);
+}
+
+/// What a list says of data sets, of when a value counts and of what it can do is known in people's words, or told.
+#[test]
+fn words_of_a_row_are_known_or_told() {
+    let row = |field: &str, word: &str| {
+        let list = format!("Nr;Bezeichnung;{field}\n7001;A;{word}\n");
+        antrieb("--drive acu params import {dir}/a.csv").file("a.csv", &list).exits(0).out
+    };
+    for (word, sets) in [
+        ("1-4", "sets = \"four\""),
+        ("1..4", "sets = \"four\""),
+        ("1/2/3/4", "sets = \"four\""),
+        ("vier", "sets = \"four\""),
+        ("ja", "sets = \"four\""),
+        ("4", "sets = \"four\""),
+        ("1", "sets = \"one\""),
+        ("nein", ""),
+        ("-", ""),
+    ] {
+        let told = row("Datensätze", word);
+        assert!(told.contains(sets) && !told.contains("not known"), "{word}: {told}");
+        assert_eq!(told.contains("sets = \""), !sets.is_empty(), "{word}: {told}");
+    }
+    for (field, word, what) in [
+        ("Datensätze", "quatsch", "this word for data sets is not known"),
+        ("effective", "later", "when this takes effect is not known"),
+        ("hazard", "fire", "this hazard is not known"),
+    ] {
+        let told = row(field, word);
+        assert!(told.contains(&format!("line 2: '{word}': {what}")), "{told}");
+    }
+}
+
 #[test]
 fn export_is_csv_in_every_form() {
     let told = antrieb("params export ramp").exits(0).out;

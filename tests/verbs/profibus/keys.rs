@@ -197,6 +197,13 @@ fn a_stop_that_is_not_obeyed_is_told_at_once_and_stays() {
         assert!(told.en.contains("what stops it now") && told.de.contains("was ihn jetzt anhält"), "{mode}: {told:?}");
         assert_eq!(came.code().1, 8, "{mode}: {:?}", came.failure());
         assert!(came.failure().unwrap().alarm, "{mode}");
+        // Who interrupts has interrupted it, and is told the same.
+        let dragged = module(RESTS, "", &event("6s", "dragged = true"));
+        let came = does(&format!("{run} --view {mode}"), &dragged, Hand { presses: &[300], ..Hand::default() });
+        let failure = came.failure().unwrap();
+        assert_eq!((came.code().1, failure.alarm), (130, true), "{mode}: {failure:?}");
+        assert!(failure.message.en.starts_with("interrupted; "), "{mode}: {failure:?}");
+        assert!(!failure.message.en.contains("THE SHAFT"), "{mode}: said once, and first: {failure:?}");
     }
 }
 

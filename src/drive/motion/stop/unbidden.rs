@@ -7,7 +7,7 @@ use super::super::own::shown;
 use super::super::shaft::Trend;
 use crate::failure::{Class, Failure};
 use crate::outcome::State;
-use crate::profile::{Mode, StopRow};
+use crate::profile::{Mode, Param, StopRow};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
@@ -15,6 +15,10 @@ use crate::tick::Span;
 const DOUBTS: u64 = 3;
 /// A stop is not said sooner again than so.
 const INSISTS: Span = Span::from_millis(250);
+/// A drive that is still as fast behind it does not obey.
+pub(in super::super) const DISOBEYED: Span = Span::from_millis(700);
+/// So often a stop is said again before a stronger one follows.
+const MOST: u8 = 4;
 /// States from which a drive comes up again: no ramp ends there.
 const ANEW: &[&str] = &["not-ready", "switch-on-disabled"];
 
@@ -49,27 +53,59 @@ impl Motor<'_, '_> {
         ))
     }
 
-    /// Says a stop once more to a drive that has become faster under it: somebody else writes to it. From time to time only; whether it
-    /// stands is what the looks tell.
+    /// Says a stop once more to a drive that has become faster under it: somebody else writes to it. From time to time only; one that does
+    /// not become slower by that is not stopped by it.
     pub(in super::super) async fn insist(&mut self, trend: Trend) -> Result<(), Failure> {
-        let Some((param, raw)) = self.again.clone().filter(|_| trend.rises) else { return Ok(()) };
-        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
-        let stops = if is_word { !self.enables(raw) } else { raw == 0 };
-        if !stops || self.session.now().since(self.fed) < INSISTS {
-            return Ok(());
+        let Some(since) = trend.rises else { return Ok(()) };
+        if (since >= DISOBEYED || self.insisted >= MOST) && self.says_stop().is_some() {
+            self.insisted = 0;
+            let state = self.state().await?;
+            return Err(self.still_turning(&state));
         }
+        let Some((param, raw)) = self.say_stop_again().await? else { return Ok(()) };
         let label = param.label();
         let faster = both!(
             "the drive became faster while it was to stop: somebody else writes to it; {label} = {raw} went out again",
             "der Antrieb wurde schneller, während er anhalten sollte: jemand anderes schreibt ihm; {label} = {raw} ging nochmals hinaus"
         );
+        self.insisted += 1;
         if !self.notes.contains(&faster) {
+            self.tell(faster.clone());
             self.notes.push(faster);
         }
+        // What was seen of it before that is no proof any more.
+        self.state().await.map(|_| ())
+    }
+
+    /// What was written last, where that is a stop.
+    fn says_stop(&self) -> Option<(Param, i64)> {
+        let (param, raw) = self.again.clone().filter(|_| self.stopping)?;
+        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
+        let stops = if is_word { !self.enables(raw) } else { raw == 0 };
+        stops.then_some((param, raw))
+    }
+
+    /// Says a stop once more, unless that was done a moment ago; what went out.
+    pub(in super::super) async fn say_stop_again(&mut self) -> Result<Option<(Param, i64)>, Failure> {
+        let Some((param, raw)) = self.says_stop().filter(|_| self.session.now().since(self.fed) >= INSISTS) else {
+            return Ok(None);
+        };
         match self.write_once(&param, 0, raw).await {
             Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
-            _ => Ok(()),
+            _ => Ok(Some((param, raw))),
         }
+    }
+
+    /// A setpoint of 0 stops nothing in another mode than its own, which somebody else may have chosen meanwhile.
+    pub(in super::super) async fn mind_mode(&mut self) -> Result<(), Failure> {
+        let mode = self.mode.as_ref().filter(|mode| self.stopping && self.entered && mode.zero_stops());
+        let Some(value) = mode.and_then(|mode| mode.value) else { return Ok(()) };
+        let is_zero = self.again.as_ref().is_some_and(|(param, raw)| *raw == 0 && Some(param.id) == self.zeroes);
+        if !is_zero || self.mode_shown().await.0.is_none_or(|told| told == value) {
+            return Ok(());
+        }
+        let state = self.state().await?;
+        Err(self.still_turning(&state))
     }
 
     /// A ramp that ends in a state out of which a drive comes up again was ended by its power.
