@@ -3374,7 +3374,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__params__subcmd__import)
-            opts="-q -v -h --output --column --set --own --replace --title --base --low-half-first --input-as-holding --ignore --separator --as --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            opts="-q -v -h --output --column --set --own --replace --title --base --low-half-first --input-as-holding --ignore --separator --decimal --as --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3409,6 +3409,10 @@ _antrieb() {
                     return 0
                     ;;
                 --separator)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --decimal)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -2510,6 +2510,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--base', '--base', [CompletionResultType]::ParameterName, 'What the list calls register 0: 0, 1, 40001')
             [CompletionResult]::new('--ignore', '--ignore', [CompletionResultType]::ParameterName, 'A key of MBMap that changes no value (repeatable)')
             [CompletionResult]::new('--separator', '--separator', [CompletionResultType]::ParameterName, 'Between the cells: `;` `,` tab [default: found out]')
+            [CompletionResult]::new('--decimal', '--decimal', [CompletionResultType]::ParameterName, 'Before the decimals: `,` or `.` [default: found out]')
             [CompletionResult]::new('--as', '--as', [CompletionResultType]::ParameterName, 'table or mbmap [default: found out]')
             [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05, l200, sj200, x200 [default: auto]')
             [CompletionResult]::new('--format', '--format', [CompletionResultType]::ParameterName, 'table, json (--json), ndjson, csv [default: table]')

@@ -20,6 +20,8 @@ pub(super) struct Watch {
     lowest: i64,
     peak: i64,
     faster: Option<Tick>,
+    /// When it had become slower, or stood, last.
+    slowed: Option<Tick>,
 }
 
 /// What a look has shown.
@@ -31,12 +33,14 @@ pub(super) struct Trend {
     pub(super) slows: bool,
     /// For how long it has been clearly faster than before, at more than one look, and has not fallen again.
     pub(super) rises: Option<Span>,
+    /// For how long it has turned and not become slower.
+    pub(super) lasts: Span,
 }
 
 impl Trend {
-    const UNKNOWN: Trend = Trend { changes: false, slows: false, rises: None };
+    const UNKNOWN: Trend = Trend { changes: false, slows: false, rises: None, lasts: Span::ZERO };
     /// One place alone: it may do anything.
-    const ANYTHING: Trend = Trend { changes: true, slows: true, rises: None };
+    const ANYTHING: Trend = Trend { changes: true, slows: true, rises: None, lasts: Span::ZERO };
 }
 
 /// How far back looks tell, and how many do at least.
@@ -61,6 +65,7 @@ impl Watch {
             lowest: i64::MAX,
             peak: 0,
             faster: None,
+            slowed: None,
         }
     }
 
@@ -85,7 +90,11 @@ impl Watch {
             self.slowest = Some(sure);
         }
         self.before = Some(pace).filter(|_| self.movement == Movement::Position);
-        Trend { changes, slows, rises: self.rises(now) }
+        if slows || pace == 0 || self.stands() {
+            self.slowed = Some(now);
+        }
+        let lasts = now.since(*self.slowed.get_or_insert(now));
+        Trend { changes, slows, rises: self.rises(now), lasts }
     }
 
     /// For how long the last looks have shown a shaft that is clearly faster than it was.
@@ -328,7 +337,7 @@ mod tests {
                 let second = watch.see(at(2_000), Some(sign * place));
                 assert_eq!(
                     second,
-                    Trend { changes, slows: false, rises: None },
+                    Trend { changes, slows: false, rises: None, lasts: Span::ZERO },
                     "{}: one look may have come late",
                     sign * place
                 );

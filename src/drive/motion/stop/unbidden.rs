@@ -17,6 +17,8 @@ const DOUBTS: u64 = 3;
 const INSISTS: Span = Span::from_millis(250);
 /// A drive that is still as fast behind it does not obey.
 pub(in super::super) const DISOBEYED: Span = Span::from_millis(700);
+/// A shaft that does not become slower is told its stop again so often.
+const LASTS: Span = Span::from_secs(1);
 /// So often a stop is said again before a stronger one follows.
 const MOST: u8 = 4;
 /// States from which a drive comes up again: no ramp ends there.
@@ -56,7 +58,13 @@ impl Motor<'_, '_> {
     /// Says a stop once more to a drive that has become faster under it: somebody else writes to it. From time to time only; one that does
     /// not become slower by that is not stopped by it.
     pub(in super::super) async fn insist(&mut self, trend: Trend) -> Result<(), Failure> {
-        let Some(since) = trend.rises else { return Ok(()) };
+        let Some(since) = trend.rises else {
+            if trend.lasts >= LASTS && self.session.now().since(self.fed) >= LASTS {
+                // It may not have heard it, or somebody else was heard behind it.
+                self.say_stop_again().await?;
+            }
+            return Ok(());
+        };
         if (since >= DISOBEYED || self.insisted >= MOST) && self.says_stop().is_some() {
             self.insisted = 0;
             let state = self.state().await?;
