@@ -35,6 +35,10 @@ pub(super) fn of(
         (None, Some(stop)) if stop.because == "interrupted" => {
             Some(stopped(interrupted(), stop, running, family, done))
         }
+        // Somebody else has enabled it again behind that.
+        (None, Some(stop)) if stop.acknowledged && stop.choice != "keep" && running == Some(true) => {
+            Some(dangerous(still_running(family), family))
+        }
         (None, Some(stop)) if is_unproven(stop) => Some(match fault(plan, seen) {
             Some(code) => stopped(tripped(family, code), stop, running, family, done),
             None => unproven(stop, family, done),

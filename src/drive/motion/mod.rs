@@ -114,6 +114,8 @@ pub struct Motor<'a, 's> {
     doubts: u64,
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
+    /// A quick stop went out in it, to a drive that did not tell its mode.
+    said_quick_stop: bool,
     /// The drive was enabled as the stop began.
     had_power: bool,
     /// The drive has shown the mode that was set.
@@ -227,6 +229,7 @@ impl<'a, 's> Motor<'a, 's> {
             ending: None,
             doubts: 0,
             stopping: false,
+            said_quick_stop: false,
             had_power: false,
             entered: false,
             lever,

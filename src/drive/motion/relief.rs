@@ -3,7 +3,7 @@
 use super::lacking::no_control;
 use super::look::working_raw;
 use super::passing::Look;
-use super::still::{QUICK_STOP, STOPPED};
+use super::still::{QUICK_STOP, STILL_TURNING, STOPPED};
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
 use crate::exchange::ExchangeError;
@@ -39,6 +39,9 @@ impl StopChoice {
 pub const PROOF: Span = Span::from_secs(6);
 /// And so long answers may come that prove nothing, unless the shaft becomes slower.
 const PROVING: Span = Span::from_secs(12);
+
+/// A drive that has answered so long ago still answers.
+const ANSWERS: Span = Span::from_secs(1);
 
 /// How often what takes motion away is done where the drive answers, but not always.
 const TRIES: u8 = 3;
@@ -78,7 +81,8 @@ impl Motor<'_, '_> {
         self.session.insist(true);
         self.session.warns(unanswered_stop());
         self.again = self.control_word().ok().zip(self.blind_word(act).map(i64::from));
-        match self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await {
+        let done = self.anew(async |motor: &mut Self| motor.relieve_by(act).await).await;
+        match done.map_err(|failure| self.or_disobeyed(failure)) {
             Err(failure) if self.is_off() && failure.is_unheard() => {
                 self.tell_lost(&failure);
                 Ok(())
@@ -98,6 +102,19 @@ impl Motor<'_, '_> {
             }
             done => done,
         }
+    }
+
+    /// What ends with the time of the stop is no silence where the drive has answered until then.
+    fn or_disobeyed(&self, failure: Failure) -> Failure {
+        let answers = self.session.is_over() && self.session.now().since(self.heard) < ANSWERS;
+        if !failure.is_unheard() || !answers || self.is_off() {
+            return failure;
+        }
+        let text = both!(
+            "the drive answers, but was not seen to stop in the time that it may take",
+            "der Antrieb antwortet, wurde aber in der Zeit, die er brauchen darf, nicht angehalten gesehen"
+        );
+        Failure { alarm: true, ..Failure::new(Class::Forbidden, STILL_TURNING, text) }
     }
 
     /// What was seen in passing, behind the first word.

@@ -49,10 +49,17 @@ const WINDOW: Span = Span::from_secs(1);
 const ENOUGH: usize = 12;
 /// So many looks tell whether a shaft becomes faster, where its position is looked at.
 const FEW: usize = 4;
-/// A pace that is no rise yet, in units of the drive: 1 Hz, or less than 1 1/min.
+/// A pace that is no rise yet, in units of the drive: 1 Hz.
 const SLIGHT: i64 = 100;
+/// The same of a position, whose looks are not even: 7 1/min of 16384 increments.
+const SLIGHT_PACE: i64 = 2_000;
 /// A servo that holds its position may still toggle by an increment.
 const JITTER: i64 = 1;
+
+/// The way from one position to the next; they have 32 bits, and go round.
+fn way(before: i64, after: i64) -> i64 {
+    i64::from((after as i32).wrapping_sub(before as i32))
+}
 
 impl Watch {
     pub(super) fn new(movement: Movement) -> Self {
@@ -106,7 +113,8 @@ impl Watch {
             (self.lowest, self.peak, self.faster) = (pace, pace, None);
         }
         (self.lowest, self.peak) = (self.lowest.min(pace), self.peak.max(pace));
-        if pace <= self.lowest + (self.lowest / 4).max(SLIGHT) {
+        let slight = if self.movement == Movement::Speed { SLIGHT } else { SLIGHT_PACE };
+        if pace <= self.lowest + (self.lowest / 4).max(slight) {
             return None;
         }
         let first = self.faster.is_none();
@@ -123,7 +131,7 @@ impl Watch {
             Movement::Position if now <= then => None,
             Movement::Position => {
                 let span = i128::from(now.since(then).as_micros());
-                i64::try_from((i128::from(after) - i128::from(before)) * 1_000_000 / span).ok()
+                i64::try_from(i128::from(way(before, after)) * 1_000_000 / span).ok()
             }
         }
     }
@@ -143,7 +151,7 @@ impl Watch {
         match (self.movement, last.next(), last.next()) {
             (Movement::Speed, Some(&(_, raw)), _) => raw == 0,
             (Movement::Position, Some(&(_, now)), Some(&(_, before))) => {
-                now.abs_diff(before) <= JITTER.unsigned_abs() || self.wavers()
+                way(before, now).abs() <= JITTER || self.wavers()
             }
             _ => false,
         }

@@ -71,10 +71,9 @@ impl Motor<'_, '_> {
                 stop.escalated = Some(way.slug());
                 self.stops_by(way.slug());
             }
-            let tried = self.session.now();
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => {
-                    self.notes_silence(if is_unheard { tried.since(begun) } else { Span::ZERO }).await;
+                    self.notes_silence(is_unheard).await;
                     return self.proven(stop, proof).await;
                 }
                 Err(failure) => failure,
@@ -405,6 +404,7 @@ impl Motor<'_, '_> {
             if index > 0 {
                 self.until_still().await?;
             }
+            self.said_quick_stop |= row.slug == "quick-stop";
             self.write_control(word).await?;
         }
         // Looked at behind the commands: on a line without answers they must have gone out.

@@ -229,7 +229,9 @@ fn a_shaft_that_a_least_frequency_keeps_turning_is_reported_in_time() {
     let lifted = drive("\"410\" = 0, \"412\" = 0, \"434\" = 2, \"484\" = 10, \"418\" = \"3.5\"", "");
     let run = antrieb("-v -b 115200 -a 1 --yes sollwert 20Hz --hold --duration 500ms").on(&lifted).run();
     assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{}", run.err);
-    assert_eq!((run.exit == 0, times(&run.sent(), "01 65 01 E4 00 00 00 00")), (false, 5), "{}", run.err);
+    // Once a second, for as long as it may take.
+    let zeros = times(&run.sent(), "01 65 01 E4 00 00 00 00");
+    assert!(run.exit != 0 && (5..=20).contains(&zeros), "{zeros}: {}", run.err);
 }
 
 #[test]

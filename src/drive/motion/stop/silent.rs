@@ -30,14 +30,15 @@ impl Motor<'_, '_> {
 
     /// A drive that hears its stop so much later, or from which nothing came for a while from just before it on, may have done anything
     /// meanwhile, such as coast without power.
-    pub(super) async fn notes_silence(&mut self, span: Span) {
-        if span >= UNTOLD {
+    pub(super) async fn notes_silence(&mut self, is_unheard: bool) {
+        let span = self.gap;
+        if is_unheard && span >= UNTOLD {
             self.notes.push(both!(
                 "nothing answered the stop for {span}: what the shaft did meanwhile is not known",
                 "{span} lang hat nichts auf den Halt geantwortet: was die Welle inzwischen tat, ist unbekannt"
             ));
         }
-        if self.gap.longer(span) >= OFF && self.instead.is_none() {
+        if span >= OFF && self.instead.is_none() {
             self.instead = self.has_restarted().await;
         }
     }

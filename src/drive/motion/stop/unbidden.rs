@@ -118,7 +118,8 @@ impl Motor<'_, '_> {
 
     /// A ramp that ends in a state out of which a drive comes up again was ended by its power.
     pub(super) fn notes_lost_power(&mut self, row: &StopRow, state: &State) {
-        let unbidden = self.had_power && row.slug == "ramp" && row.goal != state.slug && ANEW.contains(&&*state.slug);
+        let is_anew = row.goal != state.slug && ANEW.contains(&&*state.slug);
+        let unbidden = self.had_power && row.slug == "ramp" && is_anew && !self.said_quick_stop;
         if unbidden && self.instead.is_none() {
             self.instead = Some(both!(
                 "the drive lost its power during the ramp, so the shaft coasted: it is in '{state}'",
