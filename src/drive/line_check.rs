@@ -118,9 +118,11 @@ const SIGNS: &[Sign] = &[
         advice: || {
             both!(
                 "the adapter holds bytes back: set its latency timer to 1 ms (Linux, FTDI: echo 1 | sudo tee \
-             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: port settings, advanced)",
+             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: port settings, advanced, or the registry value LatencyTimer \
+             of the port below HKLM\\SYSTEM\\CurrentControlSet\\Enum\\FTDIBUS)",
                 "der Adapter hält Bytes zurück: seine Latenzzeit auf 1 ms stellen (Linux, FTDI: echo 1 | sudo tee \
-             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: Anschlusseinstellungen, Erweitert)"
+             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: Anschlusseinstellungen, Erweitert, oder der Registrierungswert \
+             LatencyTimer des Anschlusses unter HKLM\\SYSTEM\\CurrentControlSet\\Enum\\FTDIBUS)"
             )
         },
     },

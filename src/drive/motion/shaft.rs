@@ -49,8 +49,8 @@ const WINDOW: Span = Span::from_secs(1);
 const ENOUGH: usize = 12;
 /// So many looks tell whether a shaft becomes faster, where its position is looked at.
 const FEW: usize = 4;
-/// A pace that is no rise yet, in units of the drive: 1 Hz.
-const SLIGHT: i64 = 100;
+/// A pace that is no rise yet, in units of the drive: 2 Hz.
+const SLIGHT: i64 = 200;
 /// The same of a position, whose looks are not even: 7 1/min of 16384 increments.
 const SLIGHT_PACE: i64 = 2_000;
 /// A servo that holds its position may still toggle by an increment.

@@ -16,7 +16,7 @@ const DOUBTS: u64 = 3;
 /// A stop is not said sooner again than so.
 const INSISTS: Span = Span::from_millis(250);
 /// A drive that is still as fast behind it does not obey.
-pub(in super::super) const DISOBEYED: Span = Span::from_millis(700);
+pub(in super::super) const DISOBEYED: Span = Span::from_secs(1);
 /// A shaft that does not become slower is told its stop again so often.
 const LASTS: Span = Span::from_secs(1);
 /// So often a stop is said again before a stronger one follows.
@@ -65,7 +65,9 @@ impl Motor<'_, '_> {
             }
             return Ok(());
         };
-        if (since >= DISOBEYED || self.insisted >= MOST) && self.says_stop().is_some() {
+        // A setpoint of 0 may be lifted by the drive itself, and whoever asked for nothing more is told what comes of it.
+        let may_lift = |(param, _): &(Param, i64)| self.zeroes != Some(param.id) && !self.is_control_word(param);
+        if (since >= DISOBEYED || self.insisted >= MOST) && self.says_stop().is_some_and(|said| !may_lift(&said)) {
             self.insisted = 0;
             let state = self.state().await?;
             return Err(self.still_turning(&state));
@@ -73,10 +75,11 @@ impl Motor<'_, '_> {
         let Some((param, raw)) = self.say_stop_again().await? else { return Ok(()) };
         let label = param.label();
         let faster = both!(
-            "the drive became faster while it was to stop: somebody else writes to it; {label} = {raw} went out again",
-            "der Antrieb wurde schneller, während er anhalten sollte: jemand anderes schreibt ihm; {label} = {raw} ging nochmals hinaus"
+            "the drive became faster while it was to stop, by somebody else or a setting of its own; {label} = {raw} went out again",
+            "der Antrieb wurde schneller, während er anhalten sollte, durch jemand anderen oder eine eigene Einstellung; {label} = {raw} \
+             ging nochmals hinaus"
         );
-        self.insisted += 1;
+        self.insisted = self.insisted.saturating_add(1);
         if !self.notes.contains(&faster) {
             self.tell(faster.clone());
             self.notes.push(faster);
@@ -88,9 +91,12 @@ impl Motor<'_, '_> {
     /// What was written last, where that is a stop.
     fn says_stop(&self) -> Option<(Param, i64)> {
         let (param, raw) = self.again.clone().filter(|_| self.stopping)?;
-        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
-        let stops = if is_word { !self.enables(raw) } else { raw == 0 };
+        let stops = if self.is_control_word(&param) { !self.enables(raw) } else { raw == 0 };
         stops.then_some((param, raw))
+    }
+
+    fn is_control_word(&self, param: &Param) -> bool {
+        self.target.family.role("control-word").is_some_and(|word| word.id == param.id)
     }
 
     /// Says a stop once more, unless that was done a moment ago; what went out.
