@@ -5,13 +5,11 @@ use super::{Plan, nothing_stops_it, verdict};
 use crate::drive::motion::{Ended, Motor, Situation, coasting, watchdog_words};
 use crate::drive::{Target, describe};
 use crate::gate::Relief;
-use crate::outcome::{Data, Motion, Outcome, Stop};
+use crate::outcome::{Data, Motion, Outcome, State, Stop};
 use crate::text::{Text, both};
 
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
-/// How often one that somebody else enables again is stopped again.
-const MOST_ENABLED: u8 = 2;
 
 /// What a run leaves: a drive that answers again, and runs, gets its stop as soon as that is seen.
 pub(super) async fn aftermath(
@@ -21,7 +19,8 @@ pub(super) async fn aftermath(
 ) -> (Done, Option<Situation>) {
     let mut after = motor.leave().await;
     for nth in 0..MOST_RETURNS {
-        let is_again = |stop: &&Stop| stop.acknowledged && nth < MOST_ENABLED;
+        // Who fights for it has been fought with long enough where a stronger stop did not end that.
+        let is_again = |stop: &&Stop| nth == 0 && verdict::is_off(stop) && stop.escalated.is_none();
         let Some(stop) = ended.stop.as_ref().filter(|stop| motor.unheard || is_again(stop)) else { break };
         if !after.as_ref().is_some_and(has_power) {
             break;
@@ -38,9 +37,9 @@ pub(super) async fn aftermath(
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
-    if standing != Some(true)
-        && (plan.aim.is_some_and(|aim| aim != Relief::Zero) || ended.stop.is_some())
-        && let Some(seen) = after.as_mut().filter(|seen| !has_power(seen))
+    if (standing != Some(true) || after.as_ref().is_some_and(has_power))
+        && (plan.aim.is_some_and(|aim| aim != Relief::Zero) || ended.stop.as_ref().is_some_and(verdict::is_off))
+        && let Some(seen) = after.as_mut()
     {
         motor.look_again(seen).await;
     }
@@ -70,6 +69,7 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
     let state = |situation: &Situation| describe::state(family, situation.status);
     let to = seen.after.as_ref().map(state);
     let running = seen.runs();
+    let ended = Ended { stop: ended.stop.map(|stop| in_force(stop, running, to.as_ref())), ..ended };
     let mut notes = done.notes.clone();
     if running == Some(true) {
         notes.push(keeps(plan, seen.after.as_ref(), done.standing));
@@ -113,6 +113,16 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
         notes,
     };
     Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
+}
+
+/// A stop whose drive has its power again is none any more.
+fn in_force(stop: Stop, running: Option<bool>, to: Option<&State>) -> Stop {
+    match running {
+        Some(true) if verdict::is_off(&stop) => {
+            Stop { acknowledged: false, standing: None, state: to.cloned(), note: None, ..stop }
+        }
+        _ => stop,
+    }
 }
 
 /// What the drive does that keeps its power.

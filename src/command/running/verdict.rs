@@ -35,10 +35,6 @@ pub(super) fn of(
         (None, Some(stop)) if stop.because == "interrupted" => {
             Some(stopped(interrupted(), stop, running, family, done))
         }
-        // Somebody else has enabled it again behind that.
-        (None, Some(stop)) if stop.acknowledged && stop.choice != "keep" && running == Some(true) => {
-            Some(dangerous(still_running(family), family))
-        }
         (None, Some(stop)) if is_unproven(stop) => Some(match fault(plan, seen) {
             Some(code) => stopped(tripped(family, code), stop, running, family, done),
             None => unproven(stop, family, done),
@@ -134,7 +130,7 @@ fn came_of(stop: &Stop, idle: bool) -> Text {
     }
 }
 
-fn is_off(stop: &Stop) -> bool {
+pub(super) fn is_off(stop: &Stop) -> bool {
     stop.state.as_ref().is_some_and(|state| has_power(&state.slug) == Some(false))
 }
 

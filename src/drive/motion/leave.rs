@@ -1,7 +1,7 @@
 //! What is known of the drive as the program leaves: only what is reported, and in one short time.
 
 use super::look::{watchdog_seconds, working_raw};
-use super::{Motor, Situation, has_power};
+use super::{Motor, Situation};
 use crate::drive::describe;
 use crate::outcome::Decimal;
 use crate::text::both;
@@ -39,7 +39,7 @@ impl Motor<'_, '_> {
         for nth in 0..RETURNS {
             let Ok(status) = self.status().await else { return };
             let state = describe::state(&self.target.family, status).slug;
-            let is_on = has_power(&state) == Some(true);
+            let is_on = state == "operation-enabled";
             (seen.status, seen.state) = (status, state);
             if !is_on || nth + 1 == RETURNS {
                 return;

@@ -43,6 +43,8 @@ impl Trend {
     const ANYTHING: Trend = Trend { changes: true, slows: true, rises: None, lasts: Span::ZERO };
 }
 
+/// A shaft that is as fast so long behind its stop does not obey it.
+pub(super) const DISOBEYED: Span = Span::from_secs(1);
 /// How far back looks tell, and how many do at least.
 const WINDOW: Span = Span::from_secs(1);
 /// So many looks tell of a shaft that wavers.
@@ -308,6 +310,35 @@ mod tests {
         Tick::ZERO + Span::from_millis(ms)
     }
 
+    /// For how long it was seen to rise at the last of these speeds, a look each 50 ms.
+    fn risen(movement: Movement, speeds: &[i64]) -> Option<Span> {
+        let (mut watch, mut place, mut last) = (Watch::new(movement), i64::from(i32::MAX) - 20_000, None);
+        for (index, speed) in speeds.iter().enumerate() {
+            place += speed / 20;
+            let raw = if movement == Movement::Speed { *speed } else { i64::from(place as i32) };
+            last = watch.see(at(50 * index as u64), Some(raw)).rises;
+        }
+        last
+    }
+
+    #[test]
+    fn a_shaft_that_becomes_faster_again_is_told_from_one_that_wavers() {
+        let ramp = |from: i64, by: i64, looks: i64| (0..looks).map(move |look| from + by * look);
+        for (movement, unit) in [(Movement::Speed, 1), (Movement::Position, 40)] {
+            let told = |speeds: Vec<i64>| risen(movement, &speeds.iter().map(|speed| speed * unit).collect::<Vec<_>>());
+            // Down all the way, over the end of 32 bits too, and standing then.
+            assert_eq!(told(ramp(2_000, -50, 40).collect()), None);
+            assert_eq!(told(ramp(2_000, -50, 40).chain([0; 10]).collect()), None);
+            // Evenly, and with a twentieth to and fro.
+            assert_eq!(told(vec![1_000; 30]), None);
+            assert_eq!(told((0..30).map(|look| 1_000 + if look % 2 == 0 { 50 } else { -50 }).collect()), None);
+            // Up again: seen for a while; and down once more: over.
+            let up: Vec<_> = ramp(2_000, -50, 20).chain(ramp(1_000, 50, 20)).collect();
+            assert!(told(up.clone()).is_some_and(|since| (300..1_000).contains(&since.as_millis())), "{movement:?}");
+            assert_eq!(told(up.into_iter().chain(ramp(1_900, -100, 8)).collect()), None, "{movement:?}");
+        }
+    }
+
     #[test]
     fn a_first_look_and_no_look_tell_nothing_of_a_trend() {
         for movement in [Movement::Speed, Movement::Position] {
@@ -344,8 +375,8 @@ mod tests {
                 assert_eq!(watch.see(at(1_000), Some(sign * 12_800)), Trend::ANYTHING);
                 let second = watch.see(at(2_000), Some(sign * place));
                 assert_eq!(
-                    second,
-                    Trend { changes, slows: false, rises: None, lasts: Span::ZERO },
+                    (second.changes, second.slows, second.rises),
+                    (changes, false, None),
                     "{}: one look may have come late",
                     sign * place
                 );

@@ -3,8 +3,7 @@
 use super::Motor;
 use super::look::working;
 use super::patience::{FEW, Wait};
-use super::shaft::Watch;
-use super::stop::DISOBEYED;
+use super::shaft::{DISOBEYED, Watch};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Event, State};
@@ -86,15 +85,13 @@ impl Motor<'_, '_> {
 
     async fn watched(&mut self, mut wait: Wait) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let (mut looks, mut slowed, mut minded) = (0u8, self.session.now(), false);
+        let (mut looks, mut minded) = (0u8, false);
         loop {
             let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
             looks = looks.saturating_add(1);
             let trend = watch.see(self.session.now(), Some(raw));
             self.insist(trend).await?;
-            if trend.slows {
-                slowed = self.session.now();
-            } else if self.session.now().since(slowed) >= DISOBEYED && !std::mem::replace(&mut minded, true) {
+            if trend.lasts >= DISOBEYED && !std::mem::replace(&mut minded, true) {
                 self.mind_mode().await?;
             }
             if trend.slows {

@@ -18,7 +18,6 @@ pub use choice::StopChoice;
 pub(super) use silent::PURSUED;
 use silent::PURSUED_ALONE;
 use told::started_by_others;
-pub(super) use unbidden::DISOBEYED;
 
 /// How often the stop at the end is tried at least on a line that does not answer.
 const STOP_TRIES: u8 = 5;

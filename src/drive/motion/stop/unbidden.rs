@@ -4,7 +4,7 @@
 use super::super::Motor;
 use super::super::before::elsewhere;
 use super::super::own::shown;
-use super::super::shaft::Trend;
+use super::super::shaft::{DISOBEYED, Trend};
 use crate::failure::{Class, Failure};
 use crate::outcome::State;
 use crate::profile::{Mode, Param, StopRow};
@@ -15,8 +15,6 @@ use crate::tick::Span;
 const DOUBTS: u64 = 3;
 /// A stop is not said sooner again than so.
 const INSISTS: Span = Span::from_millis(250);
-/// A drive that is still as fast behind it does not obey.
-pub(in super::super) const DISOBEYED: Span = Span::from_secs(1);
 /// A shaft that does not become slower is told its stop again so often.
 const LASTS: Span = Span::from_secs(1);
 /// So often a stop is said again before a stronger one follows.
