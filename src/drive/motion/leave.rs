@@ -1,7 +1,7 @@
 //! What is known of the drive as the program leaves: only what is reported, and in one short time.
 
 use super::look::{watchdog_seconds, working_raw};
-use super::{Motor, Situation};
+use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::outcome::Decimal;
 use crate::text::both;
@@ -36,6 +36,10 @@ impl Motor<'_, '_> {
     /// A drive that had been seen without power may have got it again while its shaft was looked at: then its stop is said once more, and
     /// what it shows a moment later counts.
     pub async fn look_again(&mut self, seen: &mut Situation) {
+        if self.again.is_none() && self.lever == Lever::ControlWord {
+            // What the run gave has gone back; only the word that takes the power is left.
+            self.again = self.control_word().ok().map(|param| (param, 0));
+        }
         for nth in 0..RETURNS {
             let Ok(status) = self.status().await else { return };
             let state = describe::state(&self.target.family, status).slug;
