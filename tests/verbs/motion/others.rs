@@ -3,6 +3,7 @@
 use super::events::left;
 use super::rig::{drive, servo};
 use crate::run::antrieb;
+use antrieb::transport::witness;
 use serde_json::json;
 
 const KEYS: &str = "IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000, RAMPn_max = 3000";
@@ -165,4 +166,38 @@ fn a_drive_that_becomes_faster_in_its_stop_is_stopped_again_at_once() {
             assert_eq!(left(), (0, 0), "{told}");
         }
     }
+}
+
+/// Another master enables for good at the end of a run: what is told of the stop is what the drive does at the end.
+#[test]
+fn a_stop_whose_drive_is_enabled_for_good_is_no_stop() {
+    let slow = |event: &str| servo(&KEYS.replace("3000, RAMPdecel = 3000", "3000, RAMPdecel = 150"), event);
+    let mut running = 0;
+    for way in ["ramp", "quick-stop", "coast"] {
+        for every in [300, 700, 1_100] {
+            let each = |at: usize| {
+                format!(
+                    "[[drive.event]]\nat = \"{at}ms\"\nset = {{ DCOMcontrol = 6 }}\n[[drive.event]]\nat = \"{}ms\"\nset = {{ \
+                     DCOMcontrol = 15, PVn_target = 1500 }}\n",
+                    at + 10
+                )
+            };
+            let events: String = (1_600..90_000).step_by(every).map(each).collect();
+            let line = format!("-v -a 1 --yes sollwert 300rpm --jog 1s --on-exit {way}");
+            let run = antrieb(&line).on(&slow(&events)).run();
+            let told =
+                format!("{way} {every}: exit {} {} {}", run.exit, run.out, run.err.lines().last().unwrap_or_default());
+            let error = run.err.lines().find(|line| line.starts_with("error:")).unwrap_or_default();
+            if run.out.contains("running   yes") {
+                running += 1;
+                assert!(run.out.contains("NOT acknowledged") && !run.out.contains("without power"), "{told}");
+                assert!(error.contains("THE SHAFT MAY STILL TURN") && run.err.contains("safe-torque-off"), "{told}");
+                assert_eq!(run.exit, 8, "{told}");
+            } else {
+                assert_eq!(witness::left().unwrap().0.totals().energised, 0, "{told}");
+            }
+            assert!(sent(&run.err).last().unwrap().0 < 75_000.0, "{told}");
+        }
+    }
+    assert!(running > 0);
 }
