@@ -168,6 +168,24 @@ fn a_drive_that_becomes_faster_in_its_stop_is_stopped_again_at_once() {
     }
 }
 
+/// Another master that gives its setpoint again and again within a ramp: after four zeros the quick stop follows.
+#[test]
+fn who_is_overruled_again_and_again_stops_by_a_stronger_way() {
+    let slow = |event: &str| servo(&KEYS.replace("3000, RAMPdecel = 3000", "3000, RAMPdecel = 1500"), event);
+    let line = "-v -a 1 --yes sollwert 900rpm --jog 1s";
+    let calm = antrieb(line).on(&slow("")).exits(0);
+    let zero = when(calm.err.split("running; Ctrl-C").last().unwrap(), "01 10 1B 1A 00 02 04 00 00 00 00");
+    let each = |nth: u32| {
+        let at = zero as u32 + 300 + 550 * nth;
+        format!("[[drive.event]]\nat = \"{at}ms\"\nset = {{ PVn_target = 1500 }}\n")
+    };
+    let run = antrieb(line).on(&slow(&(0..12).map(each).collect::<String>())).run();
+    let told = format!("exit {} {} {}", run.exit, run.out, run.err);
+    assert!((zero + 1_000.0..zero + 5_000.0).contains(&when(&run.err, QUICK_STOP)), "{told}");
+    assert!(run.out.contains("became faster") && run.out.contains("ramp -> quick-stop"), "{told}");
+    assert_eq!(left(), (0, 0), "{told}");
+}
+
 /// Another master enables for good at the end of a run: what is told of the stop is what the drive does at the end.
 #[test]
 fn a_stop_whose_drive_is_enabled_for_good_is_no_stop() {
