@@ -92,9 +92,6 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
     let is_doubled = failure.is_some() && done.is_doubled(plan);
     let unproven = |stop| Stop { acknowledged: false, standing: None, state: None, ..stop };
     let stop = if is_doubled { ended.stop.map(unproven) } else { ended.stop };
-    // Of a drive that has its power again that it was without tells nothing.
-    let stop =
-        stop.map(|stop| Stop { note: stop.note.filter(|_| !stop.acknowledged || running != Some(true)), ..stop });
     let data = Motion {
         address: target.address,
         drive: family.drive.clone(),

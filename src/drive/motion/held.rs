@@ -192,7 +192,6 @@ impl Motor<'_, '_> {
         let mut looked = self.session.now();
         loop {
             let gone = self.session.now().since(begun);
-            self.gap = self.gap.longer(self.session.now().since(self.heard));
             if end.is_some_and(|end| self.session.now() >= end) {
                 return Ok(());
             }

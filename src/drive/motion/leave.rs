@@ -4,7 +4,7 @@ use super::look::{watchdog_seconds, working_raw};
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::outcome::Decimal;
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::tick::Span;
 
 /// So often it is looked whether a drive stays without power that somebody else has enabled again, and so long is waited between.
@@ -64,6 +64,11 @@ impl Motor<'_, '_> {
             "it was enabled again behind its stop, by somebody else: the stop went out again",
             "er wurde hinter seinem Halt wieder freigegeben, von jemand anderem: der Halt ging nochmals hinaus"
         );
+        self.note_once(text);
+    }
+
+    /// Tells something at once, and notes it for the end; once, however often it happens.
+    pub(super) fn note_once(&mut self, text: Text) {
         if !self.notes.contains(&text) {
             self.tell(text.clone());
             self.notes.push(text);

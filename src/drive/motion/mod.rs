@@ -114,7 +114,7 @@ pub struct Motor<'a, 's> {
     doubts: u64,
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
-    /// A quick stop went out in it, to a drive that did not tell its mode.
+    /// A quick stop went out in it.
     said_quick_stop: bool,
     /// The drive was enabled as the stop began.
     had_power: bool,

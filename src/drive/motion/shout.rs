@@ -38,7 +38,7 @@ use crate::profile::{Family, Registry};
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use presumed::{doubted, narrowed, others, presumed};
-use saying::{at_once, glimpsed, in_short, insist, passed_by, sound, unless_interrupted};
+use saying::{at_once, glimpsed, in_short, in_turn, insist, passed_by, sound, unless_interrupted};
 use std::collections::VecDeque;
 use std::rc::Rc;
 use word::{first_word, must_ask, telegrams};

@@ -16,15 +16,22 @@ impl Motor<'_, '_> {
     pub(super) async fn feed(&mut self, enabled: bool) -> Result<(), Failure> {
         let (Some(guard), Some((param, raw))) = (self.guard, self.again.clone()) else { return Ok(()) };
         let is_due = self.session.now().since(self.fed).as_micros() >= guard.as_micros() / 3;
-        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
-        if !is_due || (is_word && self.enables(raw) && !enabled) {
+        if !is_due || (self.is_control_word(&param) && self.enables(raw) && !enabled) {
             return Ok(());
         }
-        match self.write_once(&param, 0, raw).await {
+        self.write_again(&param, raw).await
+    }
+
+    /// Writes something once more. Whether the drive has heard it is what the next look tells.
+    pub(super) async fn write_again(&mut self, param: &Param, raw: i64) -> Result<(), Failure> {
+        match self.write_once(param, 0, raw).await {
             Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
-            // Whether the drive is there is what the next look tells.
             _ => Ok(()),
         }
+    }
+
+    pub(super) fn is_control_word(&self, param: &Param) -> bool {
+        self.target.family.role("control-word").is_some_and(|word| word.id == param.id)
     }
 
     /// Whether a control word asks for power.

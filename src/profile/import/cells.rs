@@ -42,7 +42,7 @@ pub(super) fn number(text: &str, commas: bool) -> Option<String> {
         _ => digits.to_owned(),
     };
     let (whole, fraction) = plain.split_once('.').unwrap_or((&plain, ""));
-    let is_plain = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    let is_plain = |part: &str| part.is_empty() || are_digits(part);
     if whole.len() + fraction.len() == 0 || !is_plain(whole) || !is_plain(fraction) {
         return None;
     }

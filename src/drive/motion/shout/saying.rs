@@ -3,7 +3,7 @@
 use super::super::has_power;
 use super::super::look::{raw, role_raw};
 use super::super::passing::Look;
-use super::{BRIEF, GLANCE};
+use super::{BRIEF, GLANCE, TURN};
 use crate::drive::access::AccessError;
 use crate::drive::describe;
 use crate::drive::recognise;
@@ -34,6 +34,12 @@ pub(super) async fn insist(
             answer => return (answer, pressed),
         }
     }
+}
+
+/// Limits of a question that is waited for as long as a drive may take to answer, however long `--timeout` is.
+pub(super) fn in_turn(session: &Session<'_>) -> Limits {
+    let patient = session.patient();
+    Limits { reply_timeout: patient.reply_timeout.min(TURN), ..patient }
 }
 
 /// Does it in short questions, also into a busy line; afterwards the session is as before.

@@ -2,12 +2,12 @@
 
 use super::super::look::raw;
 use super::super::relief::command_of;
-use super::{FirstWord, PAUSE, TURN, in_short, unless_interrupted};
+use super::{FirstWord, PAUSE, in_short, in_turn, unless_interrupted};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
-use crate::exchange::{Limits, Question};
+use crate::exchange::Question;
 use crate::gate::Relief;
 use crate::outcome::Event;
 use crate::profile::{Control, DataSets, Family, Param, Sets, Type};
@@ -108,8 +108,7 @@ async fn asked(
         return Ok(None);
     }
     session.end_at(Some(by));
-    let patient = session.patient();
-    let patient = Limits { reply_timeout: patient.reply_timeout.min(TURN), ..patient };
+    let patient = in_turn(session);
     let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set).await {
             Err(failure) if failure.is_unheard() && session.now() < by => {}

@@ -2,8 +2,8 @@
 
 use super::super::look::role_raw;
 use super::{
-    BRIEF, PAUSE, SHORT, SHOUTING, TIMES, TURN, at_once, doubted, in_short, insist, narrowed, others, presumed,
-    unless_interrupted,
+    BRIEF, PAUSE, SHORT, SHOUTING, TIMES, TURN, at_once, doubted, in_short, in_turn, insist, narrowed, others,
+    presumed, unless_interrupted,
 };
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
@@ -266,8 +266,7 @@ async fn told(
     (role, by): (&str, Tick),
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
-    let patient = session.patient();
-    let patient = Limits { reply_timeout: patient.reply_timeout.min(TURN), ..patient };
+    let patient = in_turn(session);
     session.end_at(Some(by.min(session.now() + patient.reply_timeout)));
     let tell = async |session: &mut Session<'_>| role_raw(session, &mut target, role).await;
     let told = in_short(session.within(patient, tell).await);

@@ -5,7 +5,7 @@ use super::super::Motor;
 use super::super::before::elsewhere;
 use super::super::own::shown;
 use super::super::shaft::{DISOBEYED, Trend};
-use crate::failure::{Class, Failure};
+use crate::failure::Failure;
 use crate::outcome::State;
 use crate::profile::{Mode, Param, StopRow};
 use crate::text::{Text, both};
@@ -15,8 +15,6 @@ use crate::tick::Span;
 const DOUBTS: u64 = 3;
 /// A stop is not said sooner again than so.
 const INSISTS: Span = Span::from_millis(250);
-/// A shaft that does not become slower is told its stop again so often.
-const LASTS: Span = Span::from_secs(1);
 /// So often a stop is said again before a stronger one follows.
 const MOST: u8 = 4;
 /// States from which a drive comes up again: no ramp ends there.
@@ -57,7 +55,7 @@ impl Motor<'_, '_> {
     /// not become slower by that is not stopped by it.
     pub(in super::super) async fn insist(&mut self, trend: Trend) -> Result<(), Failure> {
         let Some(since) = trend.rises else {
-            if trend.lasts >= LASTS && self.session.now().since(self.fed) >= LASTS {
+            if trend.lasts >= DISOBEYED && self.session.now().since(self.fed) >= DISOBEYED {
                 // It may not have heard it, or somebody else was heard behind it.
                 self.say_stop_again().await?;
             }
@@ -78,10 +76,7 @@ impl Motor<'_, '_> {
              ging nochmals hinaus"
         );
         self.insisted = self.insisted.saturating_add(1);
-        if !self.notes.contains(&faster) {
-            self.tell(faster.clone());
-            self.notes.push(faster);
-        }
+        self.note_once(faster);
         // What was seen of it before that is no proof any more.
         self.state().await.map(|_| ())
     }
@@ -93,19 +88,13 @@ impl Motor<'_, '_> {
         stops.then_some((param, raw))
     }
 
-    fn is_control_word(&self, param: &Param) -> bool {
-        self.target.family.role("control-word").is_some_and(|word| word.id == param.id)
-    }
-
     /// Says a stop once more, unless that was done a moment ago; what went out.
     pub(in super::super) async fn say_stop_again(&mut self) -> Result<Option<(Param, i64)>, Failure> {
         let Some((param, raw)) = self.says_stop().filter(|_| self.session.now().since(self.fed) >= INSISTS) else {
             return Ok(None);
         };
-        match self.write_once(&param, 0, raw).await {
-            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
-            _ => Ok(Some((param, raw))),
-        }
+        self.write_again(&param, raw).await?;
+        Ok(Some((param, raw)))
     }
 
     /// A setpoint of 0 stops nothing in another mode than its own, which somebody else may have chosen meanwhile.
