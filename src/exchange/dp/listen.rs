@@ -67,3 +67,19 @@ impl Conversation for Listening {
         self.bytes.truncate(MOST_BYTES);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_few_bytes_that_are_no_telegram_are_noise_and_twelve_are_somebody() {
+        for (bytes, expected) in [(0, Heard::Nobody), (NOISE - 1, Heard::Nobody), (NOISE, Heard::Somebody)] {
+            let mut listening = Listening::new(Tick::ZERO);
+            let end = Tick::ZERO + LISTENED;
+            assert_eq!(listening.step(Tick::ZERO), Step::Wait(end));
+            listening.feed(Tick::ZERO, &vec![0x55; bytes]);
+            assert_eq!(listening.step(end), Step::Done(expected), "{bytes}");
+        }
+    }
+}

@@ -108,3 +108,6 @@ impl Request {
         told.filter(|_| is_named).or(late)
     }
 }
+
+#[cfg(test)]
+mod tests;

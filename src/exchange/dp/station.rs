@@ -229,3 +229,6 @@ impl Station {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
