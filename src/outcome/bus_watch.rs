@@ -14,7 +14,7 @@ pub struct BusMonitor {
     pub bit_rate: u32,
     /// Why it ended: `duration`, `interrupted`, `quiet` (virtual time), `lost`.
     pub because: &'static str,
-    /// How long it listened.
+    /// Seconds for which it listened.
     pub t: Decimal,
     /// Frames that were heard.
     pub frames: u64,
@@ -31,7 +31,7 @@ pub struct BusMonitor {
 /// What came under an identifier.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct HeardOnBus {
-    /// The identifier.
+    /// The identifier: 11 bits, 0 to 2047, or 29.
     pub identifier: u32,
     /// By the plan who sends it, else by the predefined connection set what it is for.
     pub name: Text,
@@ -39,9 +39,9 @@ pub struct HeardOnBus {
     pub frames: u64,
     /// Mean time between two of them in milliseconds; null for fewer than two.
     pub every_ms: Option<Decimal>,
-    /// The longest time between two of them.
+    /// The longest time between two of them in milliseconds.
     pub longest_ms: Option<Decimal>,
-    /// How often the plan has it sent.
+    /// Milliseconds from one to the next by the plan; null where it says none.
     pub planned_ms: Option<u32>,
     /// The plan has it sent, and it did not come for longer than anybody waits for it.
     pub missing: bool,
@@ -90,9 +90,9 @@ pub struct HeardEmergency {
     pub fault: u16,
     /// What it says.
     pub meaning: Text,
-    /// When it came.
+    /// Seconds at which it came.
     pub t: Decimal,
-    /// When it was told that the fault was acknowledged; null if it was not.
+    /// Seconds at which it was told that the fault was acknowledged; null if it was not.
     pub cleared: Option<Decimal>,
 }
 

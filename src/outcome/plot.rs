@@ -17,9 +17,9 @@ pub struct Plot {
     pub drive: String,
     /// Unit of the horizontal axis: `s`, `V`.
     pub across: &'static str,
-    /// From then on.
+    /// What was drawn begins here, in the unit of `across`.
     pub from: f64,
-    /// Until then.
+    /// It ends here, in the unit of `across`.
     pub to: f64,
     /// What was drawn.
     pub curves: Vec<PlotCurve>,
@@ -33,7 +33,7 @@ pub struct Plot {
     pub notes: Vec<Text>,
 }
 
-/// A curve. What it comes to is null without --measure, and where it has no value.
+/// A curve. What it comes to is in its unit, and null without --measure, and where it has no value.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PlotCurve {
     /// Name of the column.
@@ -46,7 +46,7 @@ pub struct PlotCurve {
     pub part: &'static str,
     /// `left`, `right`.
     pub axis: &'static str,
-    /// Values.
+    /// How many values it has.
     pub samples: u64,
     /// Smallest value.
     pub min: Option<f64>,
@@ -64,17 +64,17 @@ pub struct PlotCurve {
 /// How the actual value followed a change of the setpoint. What cannot be told is null.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PlotResponse {
-    /// When the setpoint was seen to change first.
+    /// Seconds of the record at which the setpoint was seen to change first.
     pub t: f64,
-    /// The setpoint before it.
+    /// The setpoint before it, in `unit`.
     pub from: f64,
-    /// The setpoint behind it.
+    /// The setpoint behind it, in `unit`.
     pub to: f64,
-    /// Unit of both.
+    /// Unit of setpoints and actual values; null where there is none.
     pub unit: Option<String>,
-    /// The actual value at the beginning.
+    /// The actual value at the beginning, in `unit`.
     pub start: f64,
-    /// The actual value at the end: before the next change, or of the record.
+    /// The actual value at the end, in `unit`: before the next change, or of the record.
     pub end: f64,
     /// By how much it went beyond its end, in percent of its way.
     pub overshoot_percent: Option<f64>,
@@ -89,7 +89,7 @@ pub struct PlotResponse {
 /// A moment.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PlotMark {
-    /// When it was.
+    /// When it was, in the unit of `across`.
     pub t: f64,
     /// `trigger`, `fault`, `stop`; `zero` where the setpoint of an analog input is zero.
     pub kind: &'static str,
@@ -100,8 +100,8 @@ pub struct PlotMark {
 /// A time without answers.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PlotGap {
-    /// From the last answer before it.
+    /// Seconds of the last answer before it.
     pub from: f64,
-    /// To the first one behind it, or the end of the record.
+    /// Seconds of the first one behind it, or of the end of the record.
     pub to: f64,
 }

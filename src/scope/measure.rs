@@ -47,11 +47,11 @@ pub fn statistics(curve: &Curve, from: f64, to: f64) -> Option<Statistics> {
 pub struct Response {
     /// Seconds at which the setpoint was seen to change first.
     pub t: f64,
-    /// The setpoint before it.
+    /// The setpoint before it, in the unit of its curve.
     pub from: f64,
     /// The setpoint behind it.
     pub to: f64,
-    /// The actual value at the beginning.
+    /// The actual value at the beginning, in the unit of its curve.
     pub start: f64,
     /// The actual value at the end: before the next change, or of the record.
     pub end: f64,

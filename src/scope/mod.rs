@@ -85,11 +85,11 @@ pub struct Scene {
     pub states: Vec<Stretch>,
     /// The moments.
     pub marks: Vec<Mark>,
-    /// From when to when nothing was answered.
+    /// From when to when nothing was answered, in seconds.
     pub gaps: Vec<(f64, f64)>,
-    /// From then on, in seconds.
+    /// Where the horizontal axis begins, in its unit.
     pub from: f64,
-    /// Until then.
+    /// Where it ends.
     pub to: f64,
     /// The language of the picture.
     pub lang: Lang,

@@ -19,7 +19,8 @@ const LOOKS: Span = Span::from_secs(1);
 /// It runs otherwise than was agreed to.
 const OTHERWISE: &str = "forbidden.otherwise";
 
-/// What the settings of a drive make of the setpoint of a mode. `None`: it does not tell, or has no such setting.
+/// What the settings of a drive make of the setpoint of a mode. `None`: it does not tell, or has no such setting. Setpoint and bounds are
+/// raw integers with the decimals of the mode's setpoint; where something comes from is the raw value of a selection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Own {
     /// Where its setpoint comes from.
@@ -83,7 +84,7 @@ fn wavers(value: i64) -> u64 {
     (value.unsigned_abs() / WAVERS).max(WAVERS_RAW)
 }
 
-/// What a drive makes of a setpoint by its own settings.
+/// What a drive makes of a setpoint by its own settings; raw integers with the decimals of the mode's setpoint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Total {
     /// Setpoint of its own that it adds.

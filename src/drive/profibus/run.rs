@@ -36,9 +36,9 @@ const UNITS: [i64; 3] = [100, 10, 1];
 /// What decides on a run, as it stands in the module before it.
 #[derive(Clone, Debug)]
 pub struct Rights {
-    /// P.928.
+    /// P.928, who has control: 1 is the bus. `None` if it was not told.
     pub right: Option<u32>,
-    /// P.703.
+    /// P.703, what a lost bus does: 0 keeps the last words, 1 to 3 stop the motor, 4 leaves it to A001 and A002. `None` if it was not told.
     pub lost: Option<u32>,
     /// Maximum frequencies that the raw values of those may mean that 4000h may be, 0.01 Hz; and how they are called.
     pub maxima: Vec<i64>,

@@ -52,7 +52,7 @@ pub(super) type Next<'l> = dyn FnMut(Option<Span>) -> (i64, Option<Text>) + 'l;
 pub struct Lead<'l> {
     /// At the start.
     pub first: Wanted,
-    /// The furthest that it may ever be, on the side on which it always is.
+    /// The furthest that it may ever be, on the side on which it always is; of the unit of the run.
     pub furthest: i64,
     /// So long it is on its way.
     pub takes: Span,
