@@ -4,9 +4,10 @@
 //!
 //! | room | what it knows |
 //! |---|---|
-//! | [`tick`], [`text`], [`failure`], [`files`], [`outcome`], [`gate`] | values that every room may name |
+//! | [`tick`], [`text`], [`failure`], [`files`], [`gate`], [`outcome`] | time, texts, failures, files, permits, what was found: the floor |
 //! | [`protocol`] | bytes to telegrams and back |
 //! | [`profile`] | what a drive is: catalogues and pure decoding |
+//! | [`scope`] | curves over time, and a picture of them |
 //! | [`systembus`] | plans of a system bus: relations, checks, load |
 //! | [`exchange`] | conversations without I/O |
 //! | [`simulator`] | drives that answer, on a bus that judges timing |

@@ -1,4 +1,5 @@
-//! Use-cases on connected drives: open a line, identify, read, write, scan, diagnose.
+//! Use-cases on connected drives: open a line, identify, read, write, scan, diagnose; watch and sniff; settings as files and
+//! transactions, over a plant; move a shaft and stop it; move a drive to another line setting. PROFIBUS and CAN beside serial lines.
 //!
 //! This room turns parameters into questions and answers into [`crate::outcome`] types. It asks nobody for permission
 //! (that is `gate`, held by `command`) and prints nothing.

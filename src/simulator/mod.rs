@@ -4,9 +4,7 @@
 //! from the manuals and never from our own master: it answers as CM-485 manual chapters 5 to 12 say, and it notes every timing or
 //! framing sin of the master as a [`Remark`]. It reads no clock, does no I/O, and never panics on any input.
 //!
-//! What a file of the bench may say is told in [`mod@file`].
-//!
-//! Files in, benches out: [`mod@file`] reads one and builds a [`Bench`] of it. On the bench stand stations (`station`:
+//! Files in, benches out: [`mod@file`] tells what one may say, reads it, and builds a [`Bench`] of it. On the bench stand stations (`station`:
 //! ears and voice, a room for each protocol) with a device behind each (`device`: a folder for each maker behind one
 //! trait), on a line that can be disturbed (`line`), in front of the judge (`judge`: the rules of each protocol).
 //! A [`Profibus`] line is a room of its own (`dp`), with slaves that must be kept alive, and so is a [`Can`] bus behind its adapter

@@ -1,3 +1,5 @@
+//! Plans of a system bus, by the printed examples of the EM-RES-03 manual (5.11, 5.14), and every rule that one can break.
+
 use super::*;
 use crate::profile::{Family, Registry};
 use crate::protocol::can::PdoNumber;

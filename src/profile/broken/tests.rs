@@ -1,3 +1,5 @@
+//! What the reader of TOML says of a broken file, word by word and in both languages.
+
 use super::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;

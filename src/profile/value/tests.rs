@@ -1,3 +1,5 @@
+//! Values as technicians type them and as they are shown: exact both ways, with their units, and what does not fit.
+
 use super::*;
 use proptest::prelude::*;
 

@@ -1,3 +1,5 @@
+//! Codecs of CAN, both ways, by the printed frames of the EM-RES-03 manual and of CiA 301.
+
 use super::emergency::Emergency;
 use super::nmt::{Command, Life, Order};
 use super::pdo::{Kind, Pdo, Place};

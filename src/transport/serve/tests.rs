@@ -1,3 +1,5 @@
+//! The bench on pseudo terminals and TCP ports of this machine, with real clients.
+
 use super::*;
 use crate::simulator::Bench;
 use serialport::SerialPort;

@@ -1,3 +1,5 @@
+//! An undo file: made ready before the first byte, noted where no room is left, read again, and refused where it says two things.
+
 use super::*;
 use crate::files;
 use crate::profile::Registry;

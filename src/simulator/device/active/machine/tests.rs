@@ -1,3 +1,5 @@
+//! The state machine of an ACT or ACU: its ways, its stops, and what it does not obey.
+
 use super::*;
 
 const RAMP: Ramps = Ramps::all(500);
