@@ -23,19 +23,19 @@ pub const FILE_HELP: &str = concat!(
     include_str!("../simulator/can.toml")
 );
 
-/// The bench that a file describes, or the standard one: an ACT at 1, an ACU at 2.
+/// The bench that a file describes, or the standard one: an ACT at 1, an ACU at 2. A file that cannot be read or is wrong is `data.bench`.
 pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> {
     let Some(file) = file else { return Ok(Bench::standard(registry)) };
     read(file, |path, text| Bench::from_toml(path, text, registry))
 }
 
-/// The PROFIBUS line that a file describes, or the standard one: an L200 behind an SJ2-PB at 3, an SJ200 at 5.
+/// The PROFIBUS line that a file describes, or the standard one: an L200 behind an SJ2-PB at 3, an SJ200 at 5; `data.bench` as [`load`].
 pub fn profibus(file: Option<&Path>, registry: &Registry) -> Result<Profibus, Failure> {
     let Some(file) = file else { return Ok(Profibus::standard(registry)) };
     read(file, |path, text| Profibus::from_toml(path, text, registry))
 }
 
-/// The CAN bus that a file describes, or the standard one: ACUs as nodes 1 and 2, 500 kbit/s, no master.
+/// The CAN bus that a file describes, or the standard one: ACUs as nodes 1 and 2, 500 kbit/s, no master; `data.bench` as [`load`].
 pub fn can(file: Option<&Path>, registry: &Registry) -> Result<Can, Failure> {
     let Some(file) = file else { return Ok(Can::standard(registry)) };
     read(file, |path, text| Can::from_toml(path, text, registry))

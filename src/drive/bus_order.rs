@@ -45,7 +45,8 @@ impl BusOrder {
 }
 
 impl Session<'_> {
-    /// Tells a node something, or all of them, and waits until these may have obeyed.
+    /// Tells a node something, or all of them, and waits until these may have obeyed: behind a reset until all of `awaited` have shown a
+    /// boot-up, or 5 s, which are waited out where nobody is named. Nothing proves it here; an error is a port that is lost, or an interrupt.
     pub async fn tell_nodes(&mut self, what: BusOrder, node: Option<u8>, awaited: &[u8]) -> Result<(), AccessError> {
         self.forget_nodes();
         self.order(what.to(node)).await?;

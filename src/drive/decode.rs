@@ -117,7 +117,8 @@ pub(super) fn hex_bytes(text: &str) -> Result<Vec<u8>, InputError> {
 const MIN_TELEGRAM: usize = 4;
 
 impl Reader<'_> {
-    /// Takes one telegram apart as people type it. It shows what it is spoken in; only a damaged one of VABus does not.
+    /// Takes one telegram apart as people type it, or a request with its reply behind it. It shows what it is spoken in; only a damaged one
+    /// of VABus does not. What is no telegram is told as a damaged one; an error is only text that means no bytes.
     pub fn typed(&self, text: &str) -> Result<Vec<TelegramDoc>, InputError> {
         let (shown, bytes) = parse_input(text)?;
         let protocol = if self.protocol == Protocol::Vabus { self.protocol } else { shown };
@@ -137,7 +138,8 @@ impl Reader<'_> {
         Some(vec![asked, told])
     }
 
-    /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.
+    /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here. A line that is none of a
+    /// recording is refused, with its number.
     pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, Text> {
         if let Some(frames) = self.can_recording(text) {
             return frames;

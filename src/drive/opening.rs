@@ -88,7 +88,7 @@ impl<'a> Opening<'a> {
     }
 }
 
-/// The port that was named, or the one USB serial adapter that is plugged in, which is said.
+/// The port that was named, or the one USB serial adapter that is plugged in, which is said. None, or several of them, is `port.none`.
 pub fn open_port(named: Option<&Port>, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
     if let Some(port) = named {
         return Ok(port.clone());

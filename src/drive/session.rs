@@ -204,7 +204,8 @@ impl<'a> Session<'a> {
     }
 
     /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
-    /// knows yet whether the adapter echoes, something else is asked first that tells.
+    /// knows yet whether the adapter echoes, something else is asked first that tells. A refusal is an answer; an error is that none came
+    /// (silence, garbage), that the port is lost, or that somebody interrupted.
     pub async fn ask(&mut self, station: u8, question: impl Into<Question>) -> Result<Answer, AccessError> {
         self.ask_within(station, question, self.limits()).await
     }

@@ -104,7 +104,7 @@ pub struct Tally {
     pub replies: u64,
     /// From the end of each request until its answer was taken, in all.
     pub waited: Span,
-    /// Of these, exceptions.
+    /// Of the answers, exceptions.
     pub exceptions: u64,
     /// Requests that nobody answered in time.
     pub silences: u64,

@@ -31,7 +31,8 @@ pub fn mode_of<'f>(family: &'f Family, text: &str) -> Option<&'f Mode> {
     })
 }
 
-/// Reads a setpoint of a mode.
+/// Reads a setpoint of a mode: a number with or without the unit of the mode, a speed (`1450rpm`) where that is converted, or a ratio (`2/3`)
+/// where the mode takes one. Fails as [`value::parse`] does, and for a ratio over 0.
 pub fn parse(family: &Family, mode: &Mode, text: &str) -> Result<Said, ValueError> {
     let said = |raw| Said { raw, by_speed: false, denominator: None };
     let raw = |id: u32, text: &str| {

@@ -377,7 +377,7 @@ fn choice(text: &str, choices: &[(i64, [&str; 2])]) -> Option<i64> {
     only(&|name| super::names::starts(name, text)).or_else(|| only(&has_word))
 }
 
-/// Holds a raw value against the printed range of the parameter.
+/// Holds a raw value against the printed range of the parameter: [`ValueError::Range`] beyond it, nothing where none is printed.
 pub fn check_range(raw: i64, param: &Param) -> Result<(), ValueError> {
     let decimals = param.decimals_or_zero();
     let shown = |limit: Option<i64>| limit.map_or_else(|| "…".to_owned(), |raw| format_decimal(raw, decimals));
@@ -391,7 +391,7 @@ pub fn check_range(raw: i64, param: &Param) -> Result<(), ValueError> {
     Ok(())
 }
 
-/// Holds a raw value against the width of a type.
+/// Holds a raw value against the width of a type: [`ValueError::Width`] where it has no room for it. `decimals` is for the message.
 pub fn check_width(raw: i64, kind: Type, decimals: u8) -> Result<(), ValueError> {
     let (min, max) = kind.raw_range();
     if raw < min || raw > max {
@@ -424,7 +424,8 @@ pub fn from_wire(bits: u32, kind: Type, min: Option<i64>) -> i64 {
     }
 }
 
-/// The bits on the wire for a raw integer: two's complement in the width of the type.
+/// The bits on the wire for a raw integer: two's complement in the width of the type; of 16 bits the upper half is 0. A raw value that the
+/// type has no room for is [`ValueError::Width`].
 pub fn to_wire(raw: i64, kind: Type) -> Result<u32, ValueError> {
     check_width(raw, kind, 0)?;
     Ok(match kind {

@@ -10,7 +10,8 @@ use crate::protocol::modbus::Hex;
 use crate::text::{Text, both};
 use std::path::Path;
 
-/// Reads a GSD. Its letters are those of Windows or DOS; names are shown, and nothing else of them is used.
+/// Reads a GSD. Its letters are those of Windows or DOS; names are shown, and nothing else of them is used. A file that cannot be read or is
+/// no GSD is `data.gsd`, with its line.
 pub fn described(path: &Path) -> Result<Gsd, Failure> {
     let shown = path.display();
     let bad = |why: Text| Failure::new(Class::Data, "data.gsd", why);
