@@ -1,6 +1,6 @@
 """The simulated line: what a transaction may cost at best on it, and benches of `antrieb simulate` to measure on.
 
-Every character has 11 bits: pyserial cannot ask a pseudo terminal for parity (facts/engineering.md), so all drives are
+Every character has 11 bits: pyserial cannot ask a pseudo terminal for parity (docs/measured.md), so all drives are
 set to 8N2, which takes as long as 8E1.
 """
 

@@ -1,6 +1,6 @@
 //! A line on which everything goes wrong that goes wrong on lines, by chance, with stations behind it that tell the truth.
 //!
-//! What the stations keep to (CM-485 manual 6.8, facts/readings.md): each answers in the order in which it was asked, not
+//! What the stations keep to (CM-485 manual 6.8; 6 s and 500 ms: docs/measured.md): each answers in the order in which it was asked, not
 //! later than 6 s; a copy comes up to 500 ms after the end of what it copies. Two telegrams at once spoil each other, but a
 //! station that is nearer to another master may hear his question all the same, where it ends before ours does.
 

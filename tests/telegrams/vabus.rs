@@ -31,7 +31,7 @@ fn text(characters: &str) -> Data {
     Data::text(characters.as_bytes()).unwrap()
 }
 
-/// What is said, and its bytes: the rows `vabus` of `facts/test_vectors.csv`.
+/// What is said, and its bytes: the telegrams that prove VABus (sources A4).
 #[rustfmt::skip]
 fn vectors() -> Vec<(Telegram, &'static str)> {
     vec![

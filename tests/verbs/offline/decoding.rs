@@ -5,7 +5,7 @@ use crate::run::antrieb;
 use serde_json::json;
 
 /// Every telegram printed in chapter 8 of the CM-485 manual: line, bytes, function code, what is said.
-/// (facts/test_vectors.csv; the misprint at line 1622 is corrected as in facts G1.)
+/// (The misprint at line 1622 is corrected: sources G1.)
 const PRINTED: &[(u32, &str, u8, &str)] = &[
     (1321, "01 03 21 74 00 01 CE 2C", 3, "address 1: read P.372@2 Rated Speed, 16 bit"),
     (1326, "01 03 02 05 6E 3A F8", 3, "address 1: value 1390 (0x056E)"),

@@ -3,7 +3,7 @@
 use crate::run::antrieb;
 use serde_json::json;
 
-/// The telegrams of VABus in facts/test_vectors.csv, and a node of the system bus: bytes, address, what is said.
+/// The telegrams that prove VABus (sources A4), and a node of the system bus: bytes, address, what is said.
 const VABUS: &[(&str, u8, &str)] = &[
     ("04 41 30 32 33 37 32 05", 1, "address 1: read P.372@2 Rated Speed"),
     ("41 02 30 32 33 37 32 30 34 30 35 36 45 03 45", 1, "address 1: P.372@2 Rated Speed = 1390 1/min"),
