@@ -162,19 +162,20 @@ fn no_room_is_a_lumber_room() {
     }
 }
 
-/// `sources A2` in a comment is a section of docs/sources.md, and nothing is cited that is not in the clone.
+/// `sources A2` or `facts A2` in a comment is a section of docs/sources.md, and nothing is cited that is not in the clone.
 #[test]
 fn every_source_that_is_cited_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let page = std::fs::read_to_string(root.join("docs/sources.md")).unwrap();
     let sections: BTreeSet<&str> =
         page.lines().filter_map(|line| line.strip_prefix("### ")?.split(' ').next()).collect();
-    let data = ["active", "lexium05"].map(|name| root.join(format!("src/profile/data/{name}.toml")));
+    let data = ["active", "lexium05", "hitachi"].map(|name| root.join(format!("src/profile/data/{name}.toml")));
     let mut broken = Vec::new();
     for file in sources().iter().map(|source| source.file.clone()).chain(data) {
         let text = std::fs::read_to_string(&file).unwrap();
-        let cited =
-            text.split("sources ").skip(1).filter_map(|rest| rest.split([')', ';', ',', ':', '.', '\n', ' ']).next());
+        let behind = |word: &'static str| text.split(word).skip(1);
+        let cited = behind("sources ").chain(behind("facts "));
+        let cited = cited.filter_map(|rest| rest.split([')', ';', ',', ':', '.', '\n', ' ', '"']).next());
         let is_section = |name: &&str| {
             let mut letters = name.chars();
             letters.next().is_some_and(|c| ('A'..='H').contains(&c)) && letters.all(|c| c.is_ascii_digit())

@@ -24,11 +24,6 @@ pub fn encode(station: u8, pdu: &[u8]) -> Vec<u8> {
     std::iter::once(START).chain(digits).chain(END.iter().copied()).collect()
 }
 
-/// Length on the wire of a frame around a PDU of `pdu_len` bytes.
-pub const fn frame_len(pdu_len: usize) -> usize {
-    1 + 2 * (1 + pdu_len + 1) + 2
-}
-
 /// Takes exactly one whole frame, from `:` to LF, apart.
 pub fn decode(frame: &[u8]) -> Result<Adu, FrameError> {
     if frame.len() > MAX_FRAME {
