@@ -31,6 +31,20 @@ fn channel(sdo: SdoChannel) -> Channel {
     Channel::new(sdo, Rc::default())
 }
 
+/// A bus of 1 Mbit/s brings more than anybody reads: the first are kept, and how many were lost is told.
+#[test]
+fn what_is_heard_beyond_what_is_kept_is_counted_as_lost() {
+    let overheard = Rc::new(RefCell::new(Overheard::default()));
+    let mut ear = Ear::new(overheard.clone());
+    for said in ["t1230\r".repeat(16_384 + 2), "x\r".repeat(16_384 + 2)] {
+        for words in said.as_bytes().chunks(1_000) {
+            ear.take(words);
+        }
+    }
+    let heard = overheard.borrow();
+    assert_eq!((heard.frames.len(), heard.lost, heard.damaged.len()), (16_384, 2, 16_384));
+}
+
 const WORDS: [&str; 8] = ["", "C", "V", "S6", "L", "F", "C", "O"];
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::modbus::has_form_of_reply;
 use super::*;
+use crate::protocol::dp::pkw::Pkw;
 use crate::protocol::modbus::pdu::{Reply, Request};
 use crate::protocol::modbus::{Framing, ascii, rtu};
 use crate::protocol::vabus::{self, Header};
@@ -129,6 +130,54 @@ fn an_order_and_a_question_of_vabus_are_told_apart() {
 fn other_select() -> Question {
     let Question::Vabus(vabus::Request::Select { address, header, .. }) = select() else { unreachable!() };
     Question::Vabus(vabus::Request::Select { address, header, data: vabus::Data::word(8) })
+}
+
+/// A block of P.303, or of an element of another.
+fn block(ak: u8, element: u8) -> Pkw {
+    Pkw { ak, pnu: if element == 0 { 303 } else { 918 }, ind: u16::from(element) << 8, ..Pkw::default() }
+}
+
+/// Whose value it is stands in every block, so that an answer of before is none to what was asked behind it.
+#[test]
+fn a_block_of_pkw_names_its_station_its_parameter_and_its_element() {
+    let pkw = Dialect::new(Protocol::Pkw);
+    let question = Question::from(block(6, 2));
+    let telegram = |station: u8, said: Pkw| [&[station], &said.encode()[..]].concat();
+    let found = |came: &[Vec<u8>]| pkw.find(&came.concat(), 3, &question).map(|found| (found.start, found.end));
+    let answer = telegram(3, block(4, 2));
+    assert_eq!(found(std::slice::from_ref(&answer)), Some((0, 9)));
+    for other in [telegram(4, block(4, 2)), telegram(3, block(4, 1)), telegram(3, block(1, 0))] {
+        assert_eq!(found(std::slice::from_ref(&other)), None, "{other:02X?}");
+        assert_eq!(found(&[other, answer.clone()]), Some((9, 18)));
+    }
+    assert_eq!(pkw.sender(&answer), Some((3, Some(Said::Pkw(block(4, 2))))));
+    assert_eq!(pkw.sender(&answer[1..]), None, "a block that is not whole");
+    assert_eq!((pkw.names_its_question(), pkw.shortest_reply()), (true, 9));
+    for (missing, confused) in [(block(6, 2), false), (block(7, 2), false), (block(6, 1), true), (block(1, 0), true)] {
+        let missing = Question::from(missing);
+        assert_eq!(pkw.answers_alike(&missing, &question), !confused, "{missing:?}");
+        assert_eq!(pkw.refuses_alike(&missing, &question), !confused && missing != question, "{missing:?}");
+    }
+}
+
+#[test]
+fn a_refusal_of_sdo_names_the_parameter_and_not_what_was_done_with_it() {
+    use crate::protocol::can::SdoChannel;
+    use crate::protocol::can::sdo::{self, Initiate, Multiplexer};
+    let of = |index| Multiplexer { index, sub: 0 };
+    let sdo = Dialect::new(Protocol::Sdo(SdoChannel::Two));
+    let read = |index| Question::from(sdo::Request::Upload(of(index)));
+    let write =
+        Question::from(sdo::Request::Download(of(0x2174), Initiate::Expedited { bytes: [1, 0, 0, 0], size: Some(2) }));
+    assert!(sdo.refuses_alike(&read(0x2174), &write) && !sdo.refuses_alike(&read(0x2175), &write));
+    assert!(!sdo.answers_alike(&read(0x2174), &write), "an acknowledgement is no value");
+}
+
+/// Everybody answers who is asked for a value over Modbus, if only by a refusal; a counter need not be there.
+#[test]
+fn a_value_is_asked_for_by_reading_alone() {
+    assert!(read(1).asks_for_a_value() && Question::Modbus(Request::ReadLong { address: 210 }).asks_for_a_value());
+    assert!(!write(1).asks_for_a_value() && !counter(11).asks_for_a_value() && !enquiry(1).asks_for_a_value());
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::emergency::Emergency;
 use super::nmt::{Command, Life, Order};
 use super::pdo::{Kind, Pdo, Place};
 use super::sdo::{AbortCode, Initiate, Multiplexer, Reply, Request, Segment};
-use super::{Body, Frame, Identifier, LAST_DRIVE, Payload, PdoNumber, SdoChannel, Service, candump, slcan};
+use super::{Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, SdoChannel, Service, candump, slcan};
 use proptest::prelude::*;
 
 #[test]
@@ -140,18 +140,113 @@ fn candump_is_read_in_both_of_its_forms() {
 
 #[test]
 fn slcan_is_read_and_written() {
-    for word in
-        ["t5858427401026E050000", "r7051", "T1FFFFFFF0", "S6", "O", "L", "C", "F", "F80", "V1013", "Z1", "\u{7}"]
-    {
+    for word in [
+        "t5858427401026E050000",
+        "r7051",
+        "T1FFFFFFF0",
+        "S6",
+        "sC01C",
+        "O",
+        "L",
+        "C",
+        "F",
+        "F80",
+        "V1013",
+        "NA123",
+        "N",
+        "Z0",
+        "Z1",
+        "\u{7}",
+    ] {
         assert_eq!(slcan::Word::read(word).unwrap().to_string(), word);
     }
     let stamped = slcan::Word::read("t0000EA5F").unwrap();
     assert!(matches!(stamped, slcan::Word::Frame { at_ms: Some(59_999), .. }));
-    for wrong in ["t8000", "t1239", "t12310", "S9", "O1", "x", "t1231+1", "Fzz", "tüüü"] {
+    for wrong in [
+        "t8000", "t1239", "t12310", "S9", "sC01", "sC01CC", "sC0+C", "O1", "x", "t1231+1", "Fzz", "NA1234", "Z2",
+        "tüüü",
+    ] {
         assert!(slcan::Word::read(wrong).is_err(), "{wrong}");
     }
     assert_eq!(slcan::cut("S6\rO\r\u{7}t1230\r\n").collect::<Vec<_>>(), ["S6", "O", "\u{7}", "t1230"]);
     assert!(slcan::is_text("S6\rt1230\rt12\r") && !slcan::is_text("S6\rhello\r") && !slcan::is_text(""));
+}
+
+#[test]
+fn a_line_of_candump_is_known_by_its_form() {
+    for (line, is_one) in [
+        ("(1.5) can0 20000040#00", true),
+        ("can0 123#11", true),
+        ("can0 123 [1] 11", true),
+        ("123#11", false),
+        ("can0 123 [1 11", false),
+        ("can0 123 1] 11", false),
+        ("t12311", false),
+        ("", false),
+    ] {
+        assert_eq!(candump::is_line(line), is_one, "{line}");
+    }
+}
+
+#[test]
+fn what_candump_shows_says_its_length_and_its_bytes() {
+    let bytes = |line: &str| match candump::Entry::read(line)?.what {
+        candump::What::Frame(frame) => Ok(frame.bytes().to_vec()),
+        trouble => panic!("{trouble:?}"),
+    };
+    assert_eq!(bytes("123#11"), Ok(vec![0x11]));
+    // Behind the bytes stands what they are in letters.
+    assert_eq!(bytes("can0 123 [2] 11 22 '.\"'"), Ok(vec![0x11, 0x22]));
+    assert_eq!(bytes("can0 123 [8] 1 2 3 4 5 6 7 8"), Err(FrameError::Length("[8]".to_owned())));
+    assert_eq!(bytes("can0 123 [2] 11 2G"), Err(FrameError::Length("[2]".to_owned())));
+    assert_eq!(bytes("can0 123 [12] 11"), Err(FrameError::Fd));
+    for line in ["can0 123 [1 11", "can0 123 1] 11"] {
+        assert!(matches!(bytes(line), Err(FrameError::Form(_))), "{line}");
+    }
+}
+
+#[test]
+fn a_time_has_seconds_and_at_most_six_decimals() {
+    let at = |time: &str| candump::Entry::read(&format!("({time}) can0 123#11")).ok().and_then(|entry| entry.at_us);
+    assert_eq!(["1", "1.5", "1.123456"].map(at), [Some(1_000_000), Some(1_500_000), Some(1_123_456)]);
+    assert_eq!(["1.1234567", "+1.5", "1.+5", "a", "1.a"].map(at), [None; 5]);
+}
+
+#[test]
+fn a_remote_frame_of_no_length_is_logged_without_one() {
+    let line = "(0000000001.500000) can0 705#R";
+    assert_eq!(candump::Entry::read(line).unwrap().to_string(), line);
+}
+
+#[test]
+fn what_is_no_emergency_of_a_drive_is_told_apart() {
+    assert!(Emergency::CLEARED.is_of_a_drive() && Emergency::of_a_drive(0x0700).is_of_a_drive());
+    let drive = Emergency::of_a_drive(0x0700);
+    for other in [
+        Emergency { code: 0x8130, ..drive },
+        Emergency { register: 1, ..drive },
+        Emergency { between: [1, 0, 0], ..drive },
+    ] {
+        assert!(!other.is_of_a_drive(), "{other:?}");
+    }
+}
+
+#[test]
+fn a_state_that_nobody_knows_is_said_as_it_came() {
+    assert_eq!(Life::decode(&[3]), Some(Life::Unknown(3)));
+    assert_eq!(Life::Unknown(3).encode(), [3]);
+}
+
+/// CiA 301: the toggle is bit 4, the end of a transfer has the specifier 4.
+#[test]
+fn segments_toggle_and_a_transfer_is_ended_by_both() {
+    for (bit, toggle) in [(0, false), (0x10, true)] {
+        assert_eq!(Request::decode([0x60 | bit, 0, 0, 0, 0, 0, 0, 0]), Request::UploadSegment { toggle });
+        assert_eq!(Reply::decode([0x20 | bit, 0, 0, 0, 0, 0, 0, 0]), Reply::SegmentDownloaded { toggle });
+    }
+    let ended = [0x80, 0x74, 0x01, 0x02, 0, 0, 4, 5];
+    assert!(matches!(Request::decode(ended), Request::Abort(_, AbortCode(0x0504_0000))));
+    assert!(matches!(Reply::decode(ended), Reply::Abort(_, AbortCode(0x0504_0000))));
 }
 
 fn frames() -> impl Strategy<Value = Frame> {
