@@ -172,6 +172,12 @@ mod tests {
         assert_eq!((&found[4].bytes[..], found[4].inputs), (&[0x41][..], None), "cut off");
     }
 
+    #[test]
+    fn an_identifier_of_the_special_form_may_carry_one_direction_alone() {
+        let of = |header| identifiers(&[header, 0x03]).first().map(|one| (one.inputs.is_some(), one.outputs.is_some()));
+        assert_eq!([0x40, 0x80].map(of), [Some((true, false)), Some((false, true))]);
+    }
+
     proptest! {
         #[test]
         fn every_byte_is_in_one_identifier(bytes in proptest::collection::vec(any::<u8>(), 0..64)) {

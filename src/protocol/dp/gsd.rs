@@ -227,6 +227,42 @@ mod tests {
     }
 
     #[test]
+    fn values_are_as_wide_as_their_type() {
+        for (kind, user) in [
+            ("Unsigned8 7", &[7][..]),
+            ("Signed8 -2", &[0xFE]),
+            ("Unsigned16 7", &[0, 7]),
+            ("Signed32 -2", &[0xFF, 0xFF, 0xFF, 0xFE]),
+            ("BitArea(0-7) 0xA5", &[0xA5]),
+            ("BitArea(1-7) 0x52", &[0xA4]),
+            ("BitArea(1-2) 4", &[]), // more than two bits hold
+            ("BitArea(0-8) 1", &[]),
+        ] {
+            let text = format!(
+                "#Profibus_DP\nIdent_Number=1\nExtUserPrmData=1 \"a\"\n{kind} 0-1\nExt_User_Prm_Data_Ref(0)=1\n"
+            );
+            assert_eq!(Gsd::parse(&text).map(|gsd| gsd.user).unwrap_or_default(), user, "{kind}");
+        }
+    }
+
+    #[test]
+    fn behind_a_module_comes_what_is_of_the_whole_device() {
+        let text = [TEXT, "Ext_User_Prm_Data_Const(3)=0x77\n"].concat();
+        let gsd = Gsd::parse(&text).unwrap();
+        assert_eq!((gsd.user, gsd.modules[1].user.len()), (vec![0x00, 0x45, 0x00, 0x77], 5));
+    }
+
+    #[test]
+    fn user_parameters_may_be_as_long_as_they_fit() {
+        let most = "1,".repeat(MOST_USER - 1) + "1";
+        let old = "#Profibus_DP\nIdent_Number=1\nUser_Prm_Data=";
+        assert_eq!(Gsd::parse(&format!("{old}{most}")).unwrap().user.len(), MOST_USER);
+        let at = |place| format!("#Profibus_DP\nIdent_Number=1\nExt_User_Prm_Data_Const({place})=1\n");
+        assert_eq!(Gsd::parse(&at(MOST_USER - 1)).unwrap().user.len(), MOST_USER);
+        assert!(Gsd::parse(&at(MOST_USER)).is_err());
+    }
+
+    #[test]
     fn old_user_parameters_count_where_there_are_no_others() {
         let text = TEXT.replace("Ext_User_Prm_Data_Const(0)=0x00,0x40,0x00\n", "");
         let text = text.replace("Ext_User_Prm_Data_Ref(1)=1\nExt_User_Prm_Data_Ref(1)=2\n", "");

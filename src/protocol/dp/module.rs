@@ -109,7 +109,7 @@ impl Module {
             [flags, high, low, ref rest @ ..] if !bytes.len().is_multiple_of(2) => {
                 Self::long(flags, u16::from_be_bytes([high, low]), rest).ok_or(ModuleError::Length(bytes.len()))
             }
-            [flags, low, ref rest @ ..] if bytes.len().is_multiple_of(2) => {
+            [flags, low, ref rest @ ..] => {
                 let number = u16::from_be_bytes([flags & 0x0F, low]);
                 Self::short(flags, number, rest).ok_or(ModuleError::Length(bytes.len()))
             }
@@ -254,6 +254,25 @@ mod tests {
             assert_eq!(Module::decode(bytes), Ok(module));
         }
         assert_eq!(block(Sj200).encode().unwrap(), [0x47, 0xFF, 0xFF]);
+    }
+
+    /// FFFh is the Basic block only where nothing follows and it is as the manual's (3.1.2).
+    #[test]
+    fn what_is_almost_a_basic_block_is_none() {
+        for bytes in
+            [&[0x0F, 0xFF][..], &[0x80, 0x07], &[0xCF, 0xFF, 0, 1, 0, 2], &[0x41, 0xFF, 0xFF], &[0xC7, 0x00, 0x07]]
+        {
+            let content = Module::decode(bytes).map(|module| module.content);
+            assert!(matches!(content, Ok(Content::Parameter { .. })), "{bytes:02X?}: {content:?}");
+        }
+    }
+
+    #[test]
+    fn limits_of_a_byte_are_two_bytes() {
+        let limited = parameter(Series::X200, Target::Index(9), true, Limits::Byte(1, 2), false);
+        assert_eq!(Module::decode(&[0xC0, 0x09, 1, 2]), Ok(limited));
+        let far = parameter(Series::X200, Target::Index(0x0FFF), true, Limits::None, false);
+        assert_eq!(far.encode(), Err(ModuleError::Target(0x0FFF)));
     }
 
     #[test]

@@ -16,6 +16,67 @@ fn address_word_of_the_manual() {
 }
 
 #[test]
+fn what_is_as_long_as_it_may_be_is_read_and_no_more() {
+    use crate::protocol::modbus::{FrameError, ascii, mbap, rtu};
+    assert!(ParamAddress::new(15, ParamAddress::MAX_NUMBER).is_some() && ParamAddress::new(16, 0).is_none());
+    for (len, fits) in [(1, true), (MAX_PDU, true), (MAX_PDU + 1, false)] {
+        let pdu = [&[0x55], &vec![7; len - 1][..]].concat();
+        assert_eq!(Request::decode(&pdu).is_ok(), fits, "{len}");
+        assert_eq!(
+            Reply::decode(&pdu),
+            if fits {
+                Ok(Reply::Other { function: 0x55, data: pdu[1..].to_vec() })
+            } else {
+                Err(PduError::TooLong { len })
+            }
+        );
+        let decoded = [
+            rtu::decode(&rtu::encode(1, &pdu)),
+            ascii::decode(&ascii::encode(1, &pdu)),
+            mbap::decode(&mbap::encode(9, 1, &pdu)).map(|(_, adu)| adu),
+        ];
+        for adu in decoded {
+            match adu {
+                Ok(adu) => assert!(fits && adu.pdu == pdu),
+                Err(error) => assert!(!fits && matches!(error, FrameError::TooLong { .. }), "{len}: {error}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn codes_that_are_in_no_norm_come_back_as_they_came() {
+    assert_eq!(Exception::from_code(7).code(), 7);
+    assert_eq!(Reply::decode(&[0x83, 2, 2]), Err(PduError::Length { function: 0x83, len: 2, expected: 1 }));
+    assert_eq!(Reply::decode(&[4, 2, 0, 7]), Ok(Reply::Inputs(vec![7])));
+    assert_eq!(Reply::decode(&[43, 13, 0]), Ok(Reply::Other { function: 43, data: vec![13, 0] }));
+    let of = |function| Request::Other { function, data: vec![1] };
+    let answer = Reply::Other { function: 0x55, data: vec![2] };
+    assert!(of(0x55).is_answered_by(&answer) && !of(0x56).is_answered_by(&answer));
+}
+
+#[test]
+fn a_long_that_was_written_is_echoed_with_its_address() {
+    let write = Request::WriteLong { address: 210, value: 0x1_0002 };
+    for (address, value, is_answer) in [(210, 0x1_0002, true), (211, 0x1_0002, false), (210, 0x1_0003, false)] {
+        assert_eq!(write.is_answered_by(&Reply::LongWritten { address, value }), is_answer, "{address} {value}");
+    }
+}
+
+/// What is missing of an identification is told in bytes.
+#[test]
+fn an_identification_that_is_cut_off_says_how_long_it_should_be() {
+    let expected = |data: &[u8]| match Reply::decode(&[&[43], data].concat()) {
+        Err(PduError::Length { expected, .. }) => expected,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(expected(&[IDENTIFICATION, 1, 1, 0, 0]), 6);
+    assert_eq!(expected(&[IDENTIFICATION, 1, 1, 0, 0, 1, 0]), 9);
+    assert_eq!(expected(&[IDENTIFICATION, 1, 1, 0, 0, 1, 0, 3, b'a']), 11);
+    assert_eq!(expected(&[IDENTIFICATION, 1, 1, 0, 0, 1, 0, 1, b'a', 9, 9]), 9);
+}
+
+#[test]
 fn reply_length_is_known_from_the_request() {
     let read = Request::ReadRegisters { start: 0x2174, count: 1 };
     assert_eq!(read.reply_end().length(&[3]), None);
