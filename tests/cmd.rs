@@ -19,7 +19,12 @@ fn cases() {
         .case("docs/first-day.md")
         .case("docs/active.md")
         .case("docs/lexium.md")
-        .case("docs/catalogues.md");
+        .case("docs/catalogues.md")
+        .case("docs/profibus.md")
+        .case("docs/can.md")
+        .case("docs/system-bus.md")
+        .case("docs/recording.md")
+        .case("docs/feeding.md");
 }
 
 fn antrieb(arguments: &[&str]) -> Command {
