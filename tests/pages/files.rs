@@ -93,7 +93,6 @@ pub(crate) fn of(page: &str) -> Around {
             more("antrieb.toml", "[drives.drive-1]\naddress = 1\n[drives.drive-2]\naddress = 2\n");
         }
         "docs/plant.md" => {
-            bench = "";
             more("plant.toml", &on_bench(&first_toml(page)));
             more("base.toml", BASE);
             more("pump.toml", BASE);

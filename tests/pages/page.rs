@@ -46,19 +46,27 @@ fn read(path: &Path) -> Page {
     Page { name, commands, spans: spans.into_iter().map(str::to_owned).collect() }
 }
 
-/// The command of a line, if it is one: in a block of `sh` or of no name every line, in one of `console` that behind the prompt, without a
-/// block what is indented and calls the program.
+/// The command of a line, if it is one: in a block of `sh` or of no name every line, in one of `console` that behind the prompt, in one of `toml` what another
+/// program is to start, without a block what is indented and calls the program.
 fn command(line: &str, block: Option<&str>, page: &str) -> Option<String> {
     let typed = match block {
         Some("console") if is_tried(page) => None,
         Some("console") => line.strip_prefix("$ "),
         Some("sh" | "") => Some(line),
-        Some(_) => None,
+        Some("toml") => return started(line),
+        Some("text") => None,
+        Some(kind) => panic!("{page}: is a block of '{kind}' something to type?"),
         None => line.strip_prefix("    ").filter(|line| line.starts_with("antrieb ")),
     };
     // What stands behind a command in the same line explains it.
     let typed = typed?.split(" # ").next().unwrap_or_default().trim_end();
     (!typed.is_empty()).then(|| typed.to_owned())
+}
+
+/// The command that another program starts, from its settings: `command = ["antrieb", "monitor"]`.
+fn started(line: &str) -> Option<String> {
+    let words = line.strip_prefix("command = [")?.strip_suffix(']')?;
+    Some(words.split(", ").map(|word| word.trim_matches('"')).collect::<Vec<_>>().join(" "))
 }
 
 /// Whether bash takes it: other shells and keys that are pressed are not its business.

@@ -214,6 +214,10 @@ pub(crate) const ROWS: &[Row<'static>] = &[
     dp("simulate --profibus --link drive --duration 1m")
         .but(&[("1m", "100ms")])
         .tells("l200 behind an SJ2-PB at address 3"),
+    Row::new("docs/feeding.md", "--gather stdin --reconnect --format influx")
+        .files(&[("rounds", "\n\n")])
+        .more(" < rounds")
+        .tells("antrieb,address=2,family=acu"),
     Row::new("docs/feeding.md", "--gather stdin --unpaced --format csv").tells("2,2,acu,switched-on"),
     Row::new("docs/feeding.md", "--textfile drives.prom --count 3 --unpaced").tells("6 samples in 3 rounds"),
     Row::new("docs/recording.md", "--record run.ndjson").tells("82 samples"),
