@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Page {
     /// From the root on: `docs/can.md`.
     pub(crate) name: String,
-    /// Command lines of its blocks, in their order.
+    /// Command lines of its blocks, and those in its text that name the bench, in their order.
     pub(crate) commands: Vec<String>,
-    /// `antrieb …` in its text.
+    /// Any other `antrieb …` in its text, which may be the half of one.
     pub(crate) spans: Vec<String>,
 }
 
@@ -35,9 +35,11 @@ fn read(path: &Path) -> Page {
             (Some(kind), None) => Some(kind),
             (None, inside) => {
                 commands.extend(command(line, inside, &name));
-                if inside.is_none() {
-                    spans.extend(line.split('`').skip(1).step_by(2).filter(|span| is_whole(span)));
-                }
+                let quoted = line.split('`').skip(1).step_by(2).filter(|span| inside.is_none() && is_whole(span));
+                let (whole, named): (Vec<&str>, Vec<&str>) =
+                    quoted.partition(|span| span.starts_with("antrieb -p sim "));
+                commands.extend(whole.into_iter().map(str::to_owned));
+                spans.extend(named);
                 inside
             }
         };
