@@ -145,6 +145,7 @@ fn opening<'s>(port: &'s Port, settings: &'s Settings) -> Opening<'s> {
         line: settings.line,
         rs485: settings.rs485,
         protocol: settings.protocol,
+        profibus: settings.profibus,
         timeout: settings.timeout,
         retries: settings.retries,
         trace: settings.trace.as_deref().map(|path| Recording { path, overwrite: settings.force }),

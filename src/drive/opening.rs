@@ -6,6 +6,7 @@ use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::Event;
 use crate::protocol::Protocol;
+use crate::protocol::dp::NAME as DP;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
 use crate::text::both;
@@ -36,6 +37,8 @@ pub struct Opening<'a> {
     pub rs485: Rs485,
     /// What is spoken.
     pub protocol: Protocol,
+    /// Whether PROFIBUS-DP is spoken there, to which we only listen; `protocol` says nothing then.
+    pub profibus: bool,
     /// How long to wait for a reply; `None` for the manual's time.
     pub timeout: Option<Span>,
     /// How often to repeat a question; `None` for the usual number.
@@ -71,6 +74,11 @@ impl<'a> Opening<'a> {
         Limits { reply_timeout, retries, ..usual }
     }
 
+    /// What a recording of it calls what is spoken.
+    pub(super) fn spoken(&self) -> &'static str {
+        if self.profibus { DP } else { self.protocol.name() }
+    }
+
     /// A line as drives of the ACTIVE family speak on it from the factory: Modbus RTU, 19200 baud, even parity (CM-485
     /// manual 5). What is another way is put in its place: `Opening { retries: Some(0), ..Opening::at(&port) }`.
     pub fn at(port: &'a Port) -> Self {
@@ -79,6 +87,7 @@ impl<'a> Opening<'a> {
             line: LineSetting::rtu(19_200, Parity::Even),
             rs485: Rs485::default(),
             protocol: Framing::Rtu.into(),
+            profibus: false,
             timeout: None,
             retries: None,
             trace: None,

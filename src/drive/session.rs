@@ -2,6 +2,7 @@
 
 use super::access::AccessError;
 use super::account::Account;
+use super::bench;
 use super::can;
 use super::interrupt::Interrupt;
 use super::open_line::OpenLine;
@@ -93,19 +94,18 @@ impl<'a> Session<'a> {
         observe: &'a mut dyn FnMut(Event),
     ) -> Result<Self, Failure> {
         let limits = opening.limits();
-        let Opening { port, line, rs485, protocol, verbose, .. } = opening;
-        let mut link = match port {
-            Port::Sim(file) if matches!(protocol, Protocol::Sdo(_)) => {
-                Link::open_can(super::bench::can(file.as_deref(), registry)?)
-            }
-            Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
-            port => tokio::select! {
+        let Opening { port, line, rs485, protocol, profibus, verbose, .. } = opening;
+        let mut link = match (port, protocol) {
+            (Port::Sim(file), _) if profibus => Link::open_profibus(bench::profibus(file.as_deref(), registry)?, line),
+            (Port::Sim(file), Protocol::Sdo(_)) => Link::open_can(bench::can(file.as_deref(), registry)?),
+            (Port::Sim(file), _) => Link::open_sim(bench::load(file.as_deref(), registry)?, line),
+            (port, _) => tokio::select! {
                 link = Link::open(port, line, rs485) => link.map_err(|error| trouble::link(&error))?,
                 () = interrupt.raised() => return Err(trouble::interrupted()),
             },
         };
         if let Some(recording) = opening.trace {
-            link.record_to(open_trace(recording, &format!("{line}, {protocol}"))?);
+            link.record_to(open_trace(recording, &format!("{line}, {}", opening.spoken()))?);
         }
         for deviation in link.deviations() {
             observe(Event::Note(both!("{port}: {deviation}", "{port}: {deviation}", deviation)));

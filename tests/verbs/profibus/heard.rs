@@ -32,6 +32,17 @@ fn every_telegram_of_any_master_is_told() {
     assert_eq!(station["repeats"][0]["times"], 1);
 }
 
+/// The bench is a PROFIBUS line for who listens there, and a recording of that says what was spoken, or `decode` takes it for Modbus.
+#[test]
+fn the_bench_is_listened_to_and_recorded() {
+    let bench = "[[module]]\ndrive = \"l200\"\naddress = 3\n[[master]]\naddress = 2\nat = \"100ms\"\nby = \"5s\"\nevery = \"50ms\"\n";
+    let run = antrieb("--protocol dp --trace {dir}/t sniff --duration 1s").on(bench).exits(0);
+    assert!(run.out.contains("token"), "{}", run.out);
+    assert!(run.text_of("t").starts_with("# antrieb trace 1, 19200 8E1, dp\n"), "{}", run.text_of("t"));
+    let decoded = run.then("decode trace {dir}/t").exits(0);
+    assert!(decoded.out.contains("token"), "{}", decoded.out);
+}
+
 #[test]
 fn filters_count_and_the_setting_are_those_of_every_line() {
     let only = "-p tape:{dir}/t --protocol dp --baud 19200 sniff --filter 'address=8 reply' --count 2";
