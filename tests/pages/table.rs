@@ -101,7 +101,7 @@ pub(crate) const ELSEWHERE: &[(&str, &str)] = &[("docs/scripting.md", "tests/pee
 
 /// Each command begins with its bench as it is, so nothing that one has written is there for the next one but its files.
 pub(crate) const ROWS: &[Row<'static>] = &[
-    readme("cargo test").left("it is what runs here"),
+    readme("cargo install --path .").left("it builds and installs the program"),
     readme("-p /dev/ttyUSB0 scan --baud auto --parity auto --protocol auto --until-first")
         .but(&[("/dev/ttyUSB0", "sim:fresh.bench")])
         .tells("19200 7E1  vabus        1  act"),
