@@ -308,7 +308,7 @@ async fn on_drive<'p, C>(
         // Whoever presses while that is on its way means nothing but the stop.
         motor.heeded = 0;
     }
-    motor.first_word = first_word;
+    motor.first_word = first_word.taken_for(passing.clone());
     motor.promises.clone_from(&plan.promises);
     motor.watched = watched;
     motor.keeps = plan.keeps;

@@ -37,8 +37,10 @@ pub(super) async fn aftermath(
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
-    if (standing != Some(true) || after.as_ref().is_some_and(has_power))
-        && (plan.aim.is_some_and(|aim| aim != Relief::Zero) || ended.stop.as_ref().is_some_and(verdict::is_off))
+    let (is_on, stopped) = (after.as_ref().is_some_and(has_power), ended.stop.as_ref().is_some_and(verdict::is_off));
+    let is_relieved = plan.aim.is_some_and(|aim| aim != Relief::Zero) && (!is_on || ended.result.is_ok());
+    if (standing != Some(true) || is_on)
+        && (is_relieved || stopped)
         && let Some(seen) = after.as_mut()
     {
         motor.look_again(seen).await;

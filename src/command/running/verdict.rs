@@ -139,7 +139,7 @@ fn dangerous(failure: Failure, family: &Family) -> Failure {
     if failure.alarm {
         return failure;
     }
-    hinted(warned(failure), [Some(what_stops_it(family))])
+    hinted(warned(failure), [Some(what_stops_it(Some(family)))])
 }
 
 /// The danger first.

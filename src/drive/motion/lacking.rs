@@ -87,8 +87,8 @@ pub fn tripped(family: &Family, code: u32) -> Failure {
 }
 
 /// What stops a drive that cannot be reached, or does not obey.
-pub fn what_stops_it(family: &Family) -> Text {
-    let enable = family.motion.interlock(Need::Release).and_then(|row| row.parts.first());
+pub fn what_stops_it(family: Option<&Family>) -> Text {
+    let enable = family.and_then(|family| family.motion.interlock(Need::Release)).and_then(|row| row.parts.first());
     let usual = || both!("its safe-torque-off or enable input", "sein STO- oder Freigabeeingang");
     both!(
         "what stops it now: {enable}, the emergency stop, or the mains",

@@ -38,7 +38,7 @@ use crate::profile::{Family, Registry};
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use presumed::{doubted, narrowed, others, presumed};
-use saying::{at_once, glimpsed, in_short, in_turn, insist, passed_by, sound, unless_interrupted};
+use saying::{at_once, glimpsed, in_short, in_turn, insist, passed_by, unless_interrupted};
 use std::collections::VecDeque;
 use std::rc::Rc;
 use word::{first_word, must_ask, telegrams};
@@ -78,7 +78,7 @@ pub struct FirstWord {
     /// A quick stop in place of the ramp that was asked for.
     pub(super) instead: bool,
     /// One of the kind that it is, once that is known.
-    kind: Option<Rc<Family>>,
+    pub(super) kind: Option<Rc<Family>>,
     /// Somebody interrupted meanwhile, so a stronger one follows.
     pub pressed: bool,
     /// It takes the power, because somebody interrupted those before it.
@@ -108,6 +108,11 @@ impl FirstWord {
     /// it is asked which of them it is. `waits`: others wait as well, so that this would take long.
     pub fn passing(&self, waits: bool) -> Option<Rc<Family>> {
         self.kind.clone().filter(|family| (waits || self.is_late) && family.motion.stator.is_some())
+    }
+
+    /// Which family its drive is taken for, if it was not asked.
+    pub fn taken_for(self, kind: Option<Rc<Family>>) -> Self {
+        FirstWord { kind, ..self }
     }
 }
 
@@ -154,9 +159,7 @@ pub async fn shout_round<'m>(
                 told.look(session).await;
             }
         }
-        sounded = sounded
-            || session.echoes().is_some()
-            || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
+        sounded = sounded || session.echoes().is_some();
         call.tell = Tell::Again;
         calls.push(call);
     }

@@ -178,3 +178,12 @@ fn one_drive_alone_is_told_five_times_without_a_pause() {
         }
     }
 }
+
+/// Who stands behind a cabinet that is switched off waits for no more than the words to it.
+#[test]
+fn nobody_who_is_named_waits_for_a_question_to_a_silent_one() {
+    let dead = (1..=5).map(|address| drive(address, "10", DEAD)).collect::<String>();
+    let run = running("-a 1-6 --drive acu statemachine quick-stop", &[dead, drive(6, "10", "")].concat());
+    let first = |address: &str| sent(&run).iter().find(|(_, hex)| hex.starts_with(address)).map(|(at, _)| *at).unwrap();
+    assert!(first("06 ") - first("01 ") < 1_000.0, "{}", run.err);
+}

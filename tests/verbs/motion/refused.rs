@@ -81,3 +81,35 @@ fn a_stop_for_which_no_port_opens_says_that_the_shaft_may_turn() {
     let other = antrieb("-p {dir}/nothing -a 1 --yes sollwert 5Hz --enable --hold").json().exits(3);
     assert!(!other.error()["message"].as_str().unwrap().contains("SHAFT"), "{}", other.error());
 }
+
+/// It was never without power, so nobody has enabled it again; and what it is by its terminals is told of nobody who was not asked.
+#[test]
+fn a_drive_that_ignores_its_stop_was_not_enabled_again_and_is_not_told_by_the_terminal_of_another() {
+    let of = |address: u8, how: &str| {
+        let event = format!("[[drive.event]]\nat = \"0s\"\n{how} = 410");
+        format!("[[drive]]\nmodel = \"acu\"\naddress = {address}\nbaud = 19200\nset = {{ {RUNNING} }}\n{event}\n")
+    };
+    for (how, verb) in
+        [("refuses", "quick-stop"), ("ignores", "disable"), ("refuses", "disable-voltage"), ("ignores", "quick-stop")]
+    {
+        for who in ["-a 1", "-a 1,2", "-a 1 --drive acu"] {
+            let line = format!("-b 19200 {who} statemachine {verb}");
+            let run = antrieb(&line).on(&[of(1, how), of(2, how)].concat()).run();
+            let told = format!("{line} {how}: {}", run.err);
+            assert!(run.err.contains("THE SHAFT MAY STILL TURN"), "{told}");
+            assert!(![&run.out, &run.err].iter().any(|text| text.contains("enabled again")), "{told} {}", run.out);
+            assert!(!run.err.contains("S1IND"), "the terminal of an ACT: {told}");
+            assert!(run.err.contains("STOA"), "{told}");
+        }
+    }
+}
+
+/// A servo has no P.228, and says so: what it answers is not waited for.
+#[test]
+fn a_zero_does_not_wait_for_a_setpoint_that_the_drive_does_not_have() {
+    let run = antrieb("-v --drive acu -a 1 sollwert 0").on("[[drive]]\nmodel = \"lxm05\"\n").run();
+    let lines = run.err.lines().filter_map(|line| line.split_once(" ms > "));
+    let said =
+        lines.filter(|(_, hex)| hex.starts_with("01 65 01 E4")).find_map(|(at, _)| at.trim().parse::<f64>().ok());
+    assert!(said.is_some_and(|at| at < 100.0), "{said:?}: {}", run.err);
+}

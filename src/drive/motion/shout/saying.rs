@@ -6,7 +6,6 @@ use super::super::passing::Look;
 use super::{BRIEF, GLANCE, TURN};
 use crate::drive::access::AccessError;
 use crate::drive::describe;
-use crate::drive::recognise;
 use crate::drive::route::Meant;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
@@ -64,7 +63,7 @@ pub(super) async fn glimpsed(
         return session.sound(meant.address).await;
     };
     let mut target = Target::new(meant.address, family.clone());
-    looks.extend(in_short(raw(session, &mut target, param, 0).await)?.map(Look::Shaft));
+    looks.extend(in_short(raw(session, &mut target, param, 0).await)?.flatten().map(Look::Shaft));
     Ok(())
 }
 
@@ -88,16 +87,10 @@ pub(super) async fn passed_by(session: &mut Session<'_>, address: u8, family: &R
     }
 }
 
-/// Asks something whose echo is no answer, so that the next answer is known from one. Whether it was answered.
-pub(super) async fn sound(session: &mut Session<'_>, address: u8) -> bool {
-    session.end_at(Some(session.now() + BRIEF));
-    recognise::is_there(session, address).await
-}
-
 /// What was not told in a short time is not known.
-pub(super) fn in_short(told: Result<Option<i64>, Failure>) -> Result<Option<i64>, AccessError> {
+pub(super) fn in_short<T>(told: Result<T, Failure>) -> Result<Option<T>, AccessError> {
     match told {
-        Ok(value) => Ok(value),
+        Ok(value) => Ok(Some(value)),
         Err(failure) if failure.class == Class::Interrupted => Err(AccessError::Interrupted),
         Err(_) => Ok(None),
     }

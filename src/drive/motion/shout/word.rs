@@ -112,7 +112,7 @@ async fn asked(
     let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set).await {
             Err(failure) if failure.is_unheard() && session.now() < by => {}
-            told => break in_short(told),
+            told => break in_short(told).map(Option::flatten),
         }
         session.rest(PAUSE).await?;
     };

@@ -23,6 +23,8 @@ use std::rc::Rc;
 const LOOKING: Span = Span::from_millis(560);
 /// And when the last of these questions ends: a drive that has told the first has told both by then.
 const LOOKED: Span = Span::from_millis(900);
+/// Who refuses to tell so often has none of its own, and is not busy for a moment only.
+const REFUSALS: u8 = 3;
 
 /// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
 /// family that may be meant.
@@ -182,7 +184,7 @@ async fn acting(
     modes: Vec<Mode>,
 ) -> Result<Vec<Mode>, AccessError> {
     let by = session.now() + BRIEF;
-    let active = told(session, meant, family, ("mode-active", by)).await?;
+    let active = told(session, meant, family, ("mode-active", by)).await?.flatten();
     let known = |active: &i64| family.modes.iter().any(|mode| mode.value == Some(*active));
     let Some(active) = active.filter(known) else { return Ok(modes) };
     Ok(modes.into_iter().filter(|mode| mode.value.is_none_or(|value| value == active)).collect())
@@ -191,14 +193,16 @@ async fn acting(
 /// Whether a line setpoint of zero cannot turn the shaft faster, nor the other way, as far as that is told in time.
 async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
     let begun = session.now();
-    let (mut internal, mut line) = (None, None);
-    while session.now().since(begun) < LOOKING {
+    let (mut internal, mut line, mut refusals) = (None, None, 0);
+    while session.now().since(begun) < LOOKING && refusals < REFUSALS {
         if internal.is_none() {
-            internal = told(session, meant, family, ("setpoint-internal", begun + LOOKING)).await?;
+            let told = told(session, meant, family, ("setpoint-internal", begun + LOOKING)).await?;
+            refusals += u8::from(told == Some(None));
+            internal = told.flatten();
         }
         // One after the other: the same asked again needs no fence between.
         if internal.is_some_and(|internal| internal != 0) && line.is_none() {
-            line = told(session, meant, family, ("setpoint-bus", begun + LOOKED)).await?;
+            line = told(session, meant, family, ("setpoint-bus", begun + LOOKED)).await?.flatten();
         }
         match (internal, line) {
             (Some(0), _) | (_, Some(0)) => return Ok(true),
@@ -258,13 +262,13 @@ async fn repeat(
     Ok(refused)
 }
 
-/// The raw value of a role, if the drive tells it in the time that it may take, and by then.
+/// The raw value of a role, `None` in it if the drive has none, if that is told in the time that it may take, and by then.
 async fn told(
     session: &mut Session<'_>,
     meant: &Meant,
     family: &Rc<Family>,
     (role, by): (&str, Tick),
-) -> Result<Option<i64>, AccessError> {
+) -> Result<Option<Option<i64>>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
     let patient = in_turn(session);
     session.end_at(Some(by.min(session.now() + patient.reply_timeout)));

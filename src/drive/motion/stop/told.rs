@@ -63,7 +63,9 @@ impl Motor<'_, '_> {
     }
 
     fn tell_works_on(&mut self, text: &Text) {
-        let (turns, stops) = (may_turn(), what_stops_it(&self.target.family));
+        // Of a drive that is only taken for one of its kind nobody knows the terminal.
+        let family = Some(&*self.target.family).filter(|_| self.first_word.kind.is_none());
+        let (turns, stops) = (may_turn(), what_stops_it(family));
         let text = both!("{turns}: {text}; {stops}", "{turns}: {text}; {stops}", turns, text, stops);
         self.session.tell(Event::Note(text));
     }
