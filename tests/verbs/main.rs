@@ -78,15 +78,24 @@ mod line {
 /// What turns a shaft, and above all what stops it.
 mod motion {
     mod asked_for;
+    mod at_the_end;
     mod beside;
     mod by_chance;
+    mod chosen;
+    mod claims;
     mod clock;
     mod coasting;
     mod copies;
     mod counted;
+    mod counts_from;
+    mod enabled_again;
     mod events;
+    mod first_round;
     mod first_telegram;
+    mod first_words;
+    mod first_zero;
     mod hasty;
+    mod heard_again;
     mod held;
     mod ignored;
     mod in_time;
@@ -97,6 +106,7 @@ mod motion {
     mod leftovers;
     mod moments;
     mod narrow;
+    mod not_ours;
     mod others;
     mod otherwise;
     mod pressed;
@@ -111,15 +121,19 @@ mod motion {
     mod several;
     mod short_of_time;
     mod shown;
+    mod slow;
     mod stopping;
     mod stops;
     mod taken;
     mod takeover;
     mod to_the_letter;
     mod told_apart;
+    mod told_of_settings;
+    mod tries;
     mod unmeasured;
     mod unreached;
     mod within;
+    mod written_twice;
     mod zeros;
 }
 

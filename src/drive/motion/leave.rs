@@ -48,9 +48,14 @@ impl Motor<'_, '_> {
             if !is_on || nth + 1 == RETURNS {
                 return;
             }
-            self.notes_enabled_again();
-            if self.rest(MOMENT).await.is_err() || !matches!(self.say_stop_again().await, Ok(Some(_))) {
+            if self.rest(MOMENT).await.is_err() {
                 return;
+            }
+            match self.say_stop_again().await {
+                Ok(Some(_)) => self.notes_enabled_again(),
+                // It went out a moment ago.
+                Ok(None) => {}
+                Err(_) => return,
             }
             if self.rest(MOMENT).await.is_err() {
                 return;

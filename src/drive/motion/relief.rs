@@ -137,7 +137,7 @@ impl Motor<'_, '_> {
                 Err(failure)
                     if failure.is_unheard()
                         && tries < TRIES
-                        && self.heard > begun
+                        && (self.heard > begun || (tries == 1 && self.first_word.heard))
                         && !self.is_off()
                         && !self.session.is_over() =>
                 {

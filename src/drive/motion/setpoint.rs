@@ -109,7 +109,8 @@ impl Motor<'_, '_> {
             // No manual says that a drive tells what was written, nor how soon: that it tells otherwise than before is what counts.
             let now = (raw(self.session, self.target, selects, 0).await?, active);
             let is_another = now.0 == now.1 && self.session.now().since(begun) >= LAG;
-            if let Some(other) = now.0.filter(|_| is_another || now != *first.get_or_insert(now)) {
+            let has_changed = now != *first.get_or_insert(now);
+            if let Some(other) = now.0.filter(|other| *other != value && (is_another || has_changed)) {
                 return Err(mode_of_others(selects, name, other));
             }
             if wait.is_over(self.session.now()) {
@@ -231,8 +232,9 @@ impl Motor<'_, '_> {
             self.demand_time()?;
             let status = self.look_on().await?;
             let shown = self.heard;
-            if status >> bit & 1 == 0 {
-                self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await?;
+            // A movement shows "reached" in the modes of others as well.
+            if status >> bit & 1 == 0 || travels {
+                self.stays_on_course().await?;
             }
             let movement = self.movement().await?;
             if status >> bit & 1 == 0 {
@@ -248,6 +250,10 @@ impl Motor<'_, '_> {
                 since = shown;
             }
             let is_told = told >= looks && (has_fallen || self.session.now().since(fell) >= LAG);
+            if is_told && travels {
+                self.course = Default::default();
+                self.stays_on_course().await?;
+            }
             if is_told {
                 self.begins_there(since);
                 return Ok(());
@@ -269,6 +275,15 @@ impl Motor<'_, '_> {
             }
             self.rest(self.beat()).await?;
         }
+    }
+
+    /// What is on another way has not reached its setpoint.
+    async fn stays_on_course(&mut self) -> Result<(), Failure> {
+        let looked = self.bear(async |motor: &mut Self| motor.look_at_course(Span::ZERO, None).await).await;
+        if let (Err(_), Some(setpoint)) = (&looked, &mut self.setpoint) {
+            setpoint.reached = Some(false);
+        }
+        looked
     }
 
     /// The failure of a setpoint that the drive's own limits make another one.

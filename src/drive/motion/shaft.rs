@@ -99,7 +99,7 @@ impl Watch {
             self.slowest = Some(sure);
         }
         self.before = Some(pace).filter(|_| self.movement == Movement::Position);
-        if slows || pace == 0 || self.stands() {
+        if slows || self.stands() {
             self.slowed = Some(now);
         }
         let lasts = now.since(*self.slowed.get_or_insert(now));
@@ -109,7 +109,7 @@ impl Watch {
     /// For how long the last looks have shown a shaft that is clearly faster than it was.
     fn rises(&mut self, now: Tick) -> Option<Span> {
         let few = if self.movement == Movement::Speed { 1 } else { FEW };
-        let pace = self.pace(few).filter(|_| self.looks.len() >= few)?.saturating_abs();
+        let pace = self.pace(few)?.saturating_abs();
         if pace < self.peak - self.peak / 16 {
             // It falls: what it was before that is over.
             (self.lowest, self.peak, self.faster) = (pace, pace, None);
@@ -337,6 +337,35 @@ mod tests {
             assert!(told(up.clone()).is_some_and(|since| (300..1_000).contains(&since.as_millis())), "{movement:?}");
             assert_eq!(told(up.into_iter().chain(ramp(1_900, -100, 8)).collect()), None, "{movement:?}");
         }
+    }
+
+    #[test]
+    fn a_speed_rises_by_more_than_a_quarter_and_falls_by_more_than_a_sixteenth() {
+        let told = |speeds: &[i64]| risen(Movement::Speed, speeds).map(|since| since.as_millis());
+        assert_eq!(told(&[1_000, 1_250, 1_250]), None);
+        assert_eq!(told(&[1_000, 1_251, 1_251]), Some(50));
+        // From 0 on it is 2 Hz.
+        assert_eq!([told(&[0, 200, 200]), told(&[0, 201, 201])], [None, Some(50)]);
+        assert_eq!([told(&[1_000, 1_600, 1_500]), told(&[1_000, 1_600, 1_499])], [Some(50), None]);
+        assert_eq!(told(&[1_000, 1_600]), None, "one look alone");
+    }
+
+    #[test]
+    fn an_even_shaft_lasts_since_it_last_became_slower() {
+        let lasts = |movement, speeds: &[i64]| {
+            let (mut watch, mut place, mut last) = (Watch::new(movement), 0, Span::ZERO);
+            for (index, speed) in speeds.iter().enumerate() {
+                place += speed / 20;
+                let raw = if movement == Movement::Speed { *speed } else { place };
+                last = watch.see(at(50 * index as u64), Some(raw)).lasts;
+            }
+            last.as_millis()
+        };
+        let [even, stands] = [[4_000; 31], [0; 31]];
+        let slows = [5_000, 4_500].into_iter().chain([4_000; 29]).collect::<Vec<_>>();
+        assert_eq!([&even[..], &slows, &stands].map(|speeds| lasts(Movement::Speed, speeds)), [1_500, 1_400, 0]);
+        // Of a position the first two looks make one pace.
+        assert!((1_300..=1_450).contains(&lasts(Movement::Position, &even)) && lasts(Movement::Position, &stands) == 0);
     }
 
     #[test]

@@ -12,15 +12,15 @@ use antrieb::transport::Port;
 use std::cell::RefCell;
 
 /// What went out, what was told, and how many shafts turn in the end.
-struct Came {
-    sent: Vec<String>,
-    notes: Vec<String>,
-    turning: u64,
+pub(super) struct Came {
+    pub(super) sent: Vec<String>,
+    pub(super) notes: Vec<String>,
+    pub(super) turning: u64,
 }
 
 /// Does `work` on a bench at 115200 Bd, and presses Ctrl-C as the n-th telegram goes out, and at each of those behind it
 /// that `again` says.
-fn pressed(
+pub(super) fn pressed(
     bench: &str,
     presses: impl Fn(usize, &str) -> bool,
     work: impl AsyncFnOnce(&mut Session<'_>, &Registry),

@@ -148,7 +148,7 @@ async fn open(
         let mode = modes(family).into_iter().next().filter(|mode| mode.source.is_none())?;
         Some((family.clone(), zero_of(session, meant, family, &mode).into_iter().next()?))
     };
-    let Some((family, zero)) = families.iter().find_map(plain).filter(|_| families.len() > 1) else {
+    let Some((family, zero)) = families.iter().find_map(plain) else {
         return Ok(Opening::default());
     };
     let waits = SHORT.longer((asked + TURN + PAUSE).since(session.now()));

@@ -175,6 +175,15 @@ mod tests {
             (&[ON, Shows(2), ON, Shows(0), ON], None),
             (&[OFF, Shows(2), Shows(0)], None),
             (&[OFF, Shows(0)], None),
+            // As slow as that, and no faster.
+            (&[ON, Shows(50), OFF, Shows(0)], Some(50)),
+            // It turned, and then showed 0: what was last seen of it turning was fast.
+            (&[ON, Shows(2_000), ON, Shows(0), OFF, Shows(0)], None),
+            // Whether it had power then nobody knows.
+            (&[UNKNOWN, Shows(2), OFF, Shows(0)], None),
+            // It still has power, and it still turns without.
+            (&[ON, Shows(2), ON, Shows(0)], None),
+            (&[ON, Shows(2), OFF, Shows(2)], None),
         ] {
             assert_eq!(seen(looks).crept(50), crept);
         }
