@@ -125,6 +125,7 @@ mod motion {
     mod stopping;
     mod stops;
     mod taken;
+    mod taken_told;
     mod takeover;
     mod to_the_letter;
     mod told_apart;

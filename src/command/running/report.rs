@@ -31,7 +31,7 @@ pub(super) async fn aftermath(
         ended.stop = Some(motor.stop_after_all(stop).await);
         after = motor.leave().await;
     }
-    let standing = match &ended.stop {
+    let mut standing = match &ended.stop {
         Some(stop) if after.is_none() => stop.standing,
         Some(stop) if stop.standing == Some(true) && !after.as_ref().is_some_and(has_power) => stop.standing,
         _ if after.is_some() => motor.stands_at_the_end().await,
@@ -43,7 +43,13 @@ pub(super) async fn aftermath(
         && (is_relieved || stopped)
         && let Some(seen) = after.as_mut()
     {
-        motor.look_again(seen).await;
+        let is_said = motor.look_again(seen).await;
+        if let Some(stop) = ended.stop.as_mut().filter(|_| is_said) {
+            // What it had come to is over, and what came of this one counts.
+            standing = motor.stands_at_the_end().await;
+            stop.acknowledged &= standing == Some(true);
+            stop.standing = standing;
+        }
     }
     let unseen = match plan.aim {
         Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),

@@ -34,33 +34,38 @@ impl Motor<'_, '_> {
     }
 
     /// A drive that had been seen without power may have got it again while its shaft was looked at: then its stop is said once more, and
-    /// what it shows a moment later counts.
-    pub async fn look_again(&mut self, seen: &mut Situation) {
+    /// what it shows a moment later counts. Whether it was said.
+    pub async fn look_again(&mut self, seen: &mut Situation) -> bool {
+        let mut is_said = false;
         if self.again.is_none() && self.lever == Lever::ControlWord {
             // What the run gave has gone back; only the word that takes the power is left.
             self.again = self.control_word().ok().map(|param| (param, 0));
         }
         for nth in 0..RETURNS {
-            let Ok(status) = self.status().await else { return };
+            let Ok(status) = self.status().await else { break };
             let state = describe::state(&self.target.family, status).slug;
             let is_on = state == "operation-enabled";
             (seen.status, seen.state) = (status, state);
             if !is_on || nth + 1 == RETURNS {
-                return;
+                break;
             }
             if self.rest(MOMENT).await.is_err() {
-                return;
+                break;
             }
             match self.say_stop_again().await {
-                Ok(Some(_)) => self.notes_enabled_again(),
+                Ok(Some(_)) => {
+                    is_said = true;
+                    self.notes_enabled_again();
+                }
                 // It went out a moment ago.
                 Ok(None) => {}
-                Err(_) => return,
+                Err(_) => break,
             }
             if self.rest(MOMENT).await.is_err() {
-                return;
+                break;
             }
         }
+        is_said
     }
 
     /// Somebody else has enabled a drive that had been stopped.

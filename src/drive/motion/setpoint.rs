@@ -250,10 +250,6 @@ impl Motor<'_, '_> {
                 since = shown;
             }
             let is_told = told >= looks && (has_fallen || self.session.now().since(fell) >= LAG);
-            if is_told && travels {
-                self.course = Default::default();
-                self.stays_on_course().await?;
-            }
             if is_told {
                 self.begins_there(since);
                 return Ok(());
