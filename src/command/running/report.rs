@@ -45,10 +45,9 @@ pub(super) async fn aftermath(
     {
         let is_said = motor.look_again(seen).await;
         if let Some(stop) = ended.stop.as_mut().filter(|_| is_said) {
-            // What it had come to is over, and what came of this one counts.
-            standing = motor.stands_at_the_end().await;
-            stop.acknowledged &= standing == Some(true);
-            stop.standing = standing;
+            // What it had come to is over, and nobody has seen what comes of this one.
+            standing = standing.filter(|stands| !stands);
+            (stop.acknowledged, stop.standing) = (false, standing);
         }
     }
     let unseen = match plan.aim {
