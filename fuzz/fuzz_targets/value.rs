@@ -13,12 +13,10 @@ fuzz_target!(|typed: (u16, &str)| {
             let Some(param) = found.get(usize::from(which) % found.len().max(1)) else { continue };
             let Some(kind) = param.kind else { continue };
             let Ok(raw) = value::parse(text, param, &family.choices(param)) else { continue };
-            if value::check_range(raw, param).is_err()
-                || value::check_width(raw, kind, param.decimals_or_zero()).is_err()
-            {
+            if value::check_range(raw, param).is_err() || value::check_type(raw, kind, param).is_err() {
                 continue;
             }
-            let bits = value::to_wire(raw, kind).expect("its width was checked");
+            let bits = value::to_wire(raw, kind).expect("its type was checked");
             assert_eq!(value::from_wire(bits, kind, param.min), raw, "{} {text}", param.id);
             // Where no source tells the point, it is shown as "raw", and taken in bits alone.
             let is_raw = param.unit.is_some() && !param.has_scale();
