@@ -144,11 +144,12 @@ impl Finder<'_> {
 
 /// Values that are easy to give back.
 fn plain(given: &str) -> Vec<String> {
-    if let Some((_, values)) = PLAIN.iter().find(|row| row.0 == given) {
+    let listed = |given: &str| PLAIN.iter().find(|row| row.0 == given).map(|row| row.1);
+    if let Some(values) = listed(given) {
         return values.iter().map(|text| (*text).to_owned()).collect();
     }
     if let Some(inside) = inside(given, "Option<") {
-        let some = plain(inside).into_iter().filter(|_| PLAIN.iter().any(|row| row.0 == inside && inside != "()"));
+        let some = listed(inside).unwrap_or_default().iter().filter(|value| **value != "()");
         return std::iter::once("None".to_owned()).chain(some.map(|value| format!("Some({value})"))).collect();
     }
     if let Some(inside) = inside(given, "Result<") {

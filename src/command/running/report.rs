@@ -31,16 +31,16 @@ pub(super) async fn aftermath(
         ended.stop = Some(motor.stop_after_all(stop).await);
         after = motor.leave().await;
     }
+    let is_on = after.as_ref().is_some_and(has_power);
     let mut standing = match &ended.stop {
         Some(stop) if after.is_none() => stop.standing,
-        Some(stop) if stop.standing == Some(true) && !after.as_ref().is_some_and(has_power) => stop.standing,
+        Some(stop) if stop.standing == Some(true) && !is_on => stop.standing,
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
-    let (is_on, stopped) = (after.as_ref().is_some_and(has_power), ended.stop.as_ref().is_some_and(verdict::is_off));
     let is_relieved = plan.aim.is_some_and(|aim| aim != Relief::Zero) && (!is_on || ended.result.is_ok());
     if (standing != Some(true) || is_on)
-        && (is_relieved || stopped)
+        && (is_relieved || ended.stop.as_ref().is_some_and(verdict::is_off))
         && let Some(seen) = after.as_mut()
     {
         let is_said = motor.look_again(seen).await;

@@ -3,18 +3,12 @@
 
 use super::events::left;
 use super::keypad;
-use super::rig::{DISABLE, READY, drive, servo};
+use super::rig::{DISABLE, READY, drive, sent, servo};
 use crate::run::{Document, Output, antrieb};
 use antrieb::tick::Tick;
 
 const ZERO: &str = "01 10 1B 1A 00 02 04 00 00 00 00";
 const QUICK_STOP: &str = "01 10 1B 02 00 02 04 00 00 00 02";
-
-/// Telegrams that went out, with the time of each in ms.
-fn sent(err: &str) -> Vec<(f64, String)> {
-    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
-    lines.filter_map(|(at, hex)| Some((at.trim().parse().ok()?, hex.trim().to_owned()))).collect()
-}
 
 /// The time of a run is over, and its ramp goes out: who presses then asks for that, and each press more for the next stronger stop.
 #[test]

@@ -1,7 +1,7 @@
 //! Several drives are stopped side by side: one that ignores its stop, coasts or is dead costs no other one his proof, and who presses
 //! Ctrl-C gets the stronger stop of all.
 
-use super::rig::RUNNING;
+use super::rig::{RUNNING, ran};
 use crate::run::{Document, antrieb};
 use antrieb::drive::motion::{Ended, Motor, StopChoice};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
@@ -10,7 +10,7 @@ use antrieb::outcome::Event;
 use antrieb::profile::Registry;
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::tick::Span;
-use antrieb::transport::{Port, witness};
+use antrieb::transport::Port;
 use std::cell::RefCell;
 
 /// A drive at 10 Hz: a quick stop by so many hertz a second, and more.
@@ -27,12 +27,7 @@ const SERVO: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 6\nbaud = 19200\n";
 
 /// A verb on drives that run for a second.
 pub(super) fn running(line: &str, bench: &str) -> crate::run::Run {
-    antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
-    let (mut left, at) = witness::left().unwrap();
-    let at = at + Span::from_secs(1);
-    left.advance(at);
-    witness::stands(left, at);
-    antrieb(&format!("-b 19200 {line}")).on(bench)
+    ran(Span::from_secs(1), &format!("-b 19200 {line}"), bench)
 }
 
 /// What is told of a drive: `(standing, exit of its error)`.

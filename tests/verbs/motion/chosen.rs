@@ -1,6 +1,6 @@
 //! What is chosen in a run, by us and by others: setpoints, modes, and the time that it has.
 
-use super::rig::{READY, drive, servo};
+use super::rig::{READY, drive, servo, when};
 use crate::run::antrieb;
 use serde_json::json;
 
@@ -10,17 +10,6 @@ const QUICK_STOP: &str = "01 10 1B 02 00 02 04 00 00 00 02";
 /// DCOMopmode and _DCOMopmd_act.
 const MODE: &str = "01 10 1B 06";
 const SHOWN: &str = "01 03 1B 08";
-
-/// Telegrams that went out, with the time of each in ms.
-fn sent(err: &str) -> Vec<(f64, String)> {
-    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
-    lines.filter_map(|(at, hex)| Some((at.trim().parse().ok()?, hex.trim().to_owned()))).collect()
-}
-
-fn when(err: &str, word: &str) -> f64 {
-    let found = sent(err).into_iter().find(|(_, hex)| hex.starts_with(word));
-    found.unwrap_or_else(|| panic!("{word}: {err}")).0
-}
 
 /// Its least frequency would turn the shaft at a zero, so its setpoint goes out first; then another master gives one of his own.
 #[test]

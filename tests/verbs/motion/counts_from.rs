@@ -1,6 +1,6 @@
 //! From when the time of a run counts, and what may stay unanswered at its end.
 
-use super::rig::{READY, drive, servo};
+use super::rig::{READY, drive, sent, servo, when};
 use crate::run::antrieb;
 
 const ENABLE: &str = "01 06 01 9A 00 0F";
@@ -8,16 +8,6 @@ const GEAR: &str = "IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000, RAMPn_m
 const GUIDE: &str = "servo = { guide = 163840 }\n";
 const FOLLOWS: &str = "01 10 1B 24 00 02 04 00 00 00 01";
 const QUICK_STOP: &str = "01 10 1B 02 00 02 04 00 00 00 02";
-
-fn sent(err: &str) -> Vec<(f64, String)> {
-    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
-    lines.filter_map(|(at, hex)| Some((at.trim().parse().ok()?, hex.trim().to_owned()))).collect()
-}
-
-fn when(err: &str, word: &str) -> f64 {
-    let found = sent(err).into_iter().find(|(_, hex)| hex.starts_with(word));
-    found.unwrap_or_else(|| panic!("{word}: {err}")).0
-}
 
 /// Its least frequency turns it from its enabling on; its enable comes a second and a half behind the word.
 #[test]

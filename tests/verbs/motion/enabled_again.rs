@@ -1,7 +1,7 @@
 //! Somebody else enables a drive in the last moments of what took its power: it is stopped once more, and told as it is then.
 
 use super::events::left;
-use super::rig::{RUNNING, drive};
+use super::rig::{RUNNING, drive, sent};
 use crate::run::antrieb;
 
 const OFF: &str = "01 06 01 9A 00 00";
@@ -19,8 +19,7 @@ fn enabled_at_the_end(delay: &str) -> usize {
         let event = format!("[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"410\" = 15 }}");
         let run = antrieb(line).on(&bench(&event)).json();
         let seen = format!("{delay} {after} of {}: {:#} {}", calm.len(), run.value, run.err);
-        let sent = run.err.lines().filter_map(|line| line.split_once(" ms > "));
-        let words = sent.skip(after).filter(|(_, hex)| hex.trim_start().starts_with(OFF)).count();
+        let words = sent(&run.err).iter().skip(after).filter(|(_, hex)| hex.starts_with(OFF)).count();
         let is_told = run.data("/notes").to_string().contains(AGAIN);
         assert_eq!(is_told, words > 0, "what is told went out: {seen}");
         assert_eq!((left().1, run.data("/running").as_bool()), (0, Some(false)), "{seen}");

@@ -1,9 +1,8 @@
 //! The first round of a stop of several drives: what one shows while others have their turn, and how long those that are silent take.
 
-use super::rig::RUNNING;
-use crate::run::{Document, antrieb};
+use super::rig::{RUNNING, ran, sent};
+use crate::run::Document;
 use antrieb::tick::Span;
-use antrieb::transport::witness;
 
 const DEAD: &str = "[[drive.event]]\nat = \"0s\"\nsilent = \"10min\"";
 
@@ -14,18 +13,12 @@ fn drive(address: u8, set: &str, rest: &str) -> String {
 
 /// A verb on drives that have run for 3 s.
 fn running(line: &str, bench: &str) -> Document {
-    antrieb("-b 19200 -a 9 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
-    let (mut left, at) = witness::left().unwrap();
-    let at = at + Span::from_secs(3);
-    left.advance(at);
-    witness::stands(left, at);
-    antrieb(&format!("-v -b 19200 {line}")).on(bench).json()
+    ran(Span::from_secs(3), &format!("-v -b 19200 {line}"), bench).json()
 }
 
 /// What was sent, and when, in ms since the first.
-fn sent(run: &Document) -> Vec<(f64, String)> {
-    let lines = run.err.lines().filter_map(|line| line.split_once(" ms > "));
-    let all: Vec<(f64, String)> = lines.map(|(at, hex)| (at.trim().parse().unwrap(), hex.to_owned())).collect();
+fn since_the_first(run: &Document) -> Vec<(f64, String)> {
+    let all = sent(&run.err);
     let first = all[0].0;
     all.into_iter().map(|(at, hex)| (at - first, hex)).collect()
 }
@@ -73,7 +66,7 @@ fn a_drive_that_refuses_its_word_is_told_as_what_it_is() {
 #[test]
 fn drives_that_never_answer_are_told_for_eight_seconds() {
     let dead: String = (1..3).map(|address| drive(address, "", DEAD)).collect();
-    let all = sent(&running("-a 1,2 statemachine quick-stop", &dead));
+    let all = since_the_first(&running("-a 1,2 statemachine quick-stop", &dead));
     for address in 1..3 {
         let is_word = |hex: &str| ["06", "10"].iter().any(|code| hex.starts_with(&format!("0{address} {code}")));
         let words: Vec<f64> = all.iter().filter(|(_, hex)| is_word(hex)).map(|(at, _)| *at).collect();
@@ -86,7 +79,7 @@ fn drives_that_never_answer_are_told_for_eight_seconds() {
 /// Its second round is waited for as long as an answer may take, whatever its family is.
 #[test]
 fn one_that_may_be_of_any_family_is_waited_for_in_its_second_round() {
-    let all = sent(&running("-a 1 statemachine quick-stop", &drive(1, "", DEAD)));
+    let all = since_the_first(&running("-a 1 statemachine quick-stop", &drive(1, "", DEAD)));
     let words = all.iter().filter(|(_, hex)| hex.starts_with("01 06") || hex.starts_with("01 10"));
     let at: Vec<f64> = words.map(|(at, _)| *at).collect();
     let waits: Vec<bool> = at.windows(2).map(|pair| pair[1] - pair[0] >= 500.0).collect();

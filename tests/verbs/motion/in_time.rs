@@ -1,6 +1,7 @@
 //! `--duration` counts from the word that can turn the shaft: of every mode and protocol, whether its answer is lost or late.
 
 use super::keypad;
+use super::rig::sent;
 use crate::run::{Output, antrieb};
 use antrieb::tick::Span;
 
@@ -87,12 +88,6 @@ const SERVOS: &[Turn] = &[
     of(SERVO, "sollwert 90000000usr --start absolute --enable --hold --duration 1s", START, QUICK_STOP),
     of(SERVO, "sollwert 17 --mode homing --set HMn=30 --enable --hold --duration 1s", START, QUICK_STOP),
 ];
-
-/// Telegrams that went out, as they are shown, with the time of each in ms.
-fn sent(err: &str) -> Vec<(f64, &str)> {
-    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
-    lines.filter_map(|(at, rest)| Some((at.trim().parse().ok()?, rest.trim_start()))).collect()
-}
 
 /// When the shaft began to turn, and when the first word went out that ends that.
 fn turned(turn: &Turn, run: &Output) -> Option<(f64, Option<f64>)> {

@@ -1,9 +1,8 @@
 //! What a stop gives each of several drives, and what one alone has of it: the first word in a round, then turns at the line.
 
-use super::rig::RUNNING;
+use super::rig::{RUNNING, ran, sent};
 use crate::run::{Document, antrieb};
 use antrieb::tick::Span;
-use antrieb::transport::witness;
 
 /// A drive that runs up to 10 Hz: a quick stop by so many hertz a second, and more.
 fn drive(address: u8, quick: &str, more: &str) -> String {
@@ -17,18 +16,7 @@ const DEAD: &str = "[[drive.event]]\nat = \"0s\"\nsilent = \"10min\"";
 
 /// A verb on drives that have run for a second.
 fn running(line: &str, bench: &str) -> Document {
-    antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
-    let (mut left, at) = witness::left().unwrap();
-    let at = at + Span::from_secs(1);
-    left.advance(at);
-    witness::stands(left, at);
-    antrieb(&format!("-v -b 19200 {line}")).on(bench).json()
-}
-
-/// What was sent, and when, in ms.
-fn sent(run: &Document) -> Vec<(f64, String)> {
-    let lines = run.err.lines().filter_map(|line| line.split_once(" ms > "));
-    lines.map(|(at, hex)| (at.trim().parse().unwrap(), hex.to_owned())).collect()
+    ran(Span::from_secs(1), &format!("-v -b 19200 {line}"), bench).json()
 }
 
 #[test]
@@ -39,7 +27,7 @@ fn who_is_silent_has_no_more_than_half_of_the_time() {
             &[drive(1, "10", DEAD), drive(2, "1", "")].concat(),
         );
         let to =
-            |address: &str| sent(&run).iter().filter(|(at, hex)| *at < 9_000.0 && hex.starts_with(address)).count();
+            |address: &str| sent(&run.err).iter().filter(|(at, hex)| *at < 9_000.0 && hex.starts_with(address)).count();
         // 500 ms each time, and 20 ms for who answers.
         assert!(to("02 ") > 2 * to("01 "), "{named}: {} {}", to("01 "), to("02 "));
     }
@@ -67,7 +55,7 @@ fn waits(named: &str) -> Vec<u32> {
         &format!("-a 1,2 {named} statemachine quick-stop"),
         &[drive(1, "10", DEAD), drive(2, "10", DEAD)].concat(),
     );
-    let all = sent(&run);
+    let all = sent(&run.err);
     let is_word = |hex: &str| hex.starts_with("01 06") || hex.starts_with("01 10");
     let words = all.windows(2).filter(|pair| is_word(&pair[0].1));
     words.map(|pair| ((pair[1].0 - pair[0].0) / 10.0).round() as u32 * 10).collect()
@@ -92,7 +80,7 @@ fn a_line_is_sounded_once_and_only_where_nothing_else_is_asked_first() {
         ("-a 1-3 --drive acu statemachine quick-stop", "64 00 D2", 1),
         ("-a 1-3 --drive acu sollwert 0Hz", "2B", 0),
     ] {
-        let all = sent(&running(line, &bench));
+        let all = sent(&running(line, &bench).err);
         let word = |hex: &str| ["03 06 01 9A", "03 65 01 E4"].iter().any(|word| hex.starts_with(word));
         let before = all.iter().take_while(|(_, hex)| !word(hex));
         assert_eq!(before.filter(|(_, hex)| hex[3..].starts_with(sounds)).count(), asked, "{line}: {all:?}");
@@ -112,7 +100,7 @@ fn what_is_said_of_a_drive_in_the_round_names_it() {
 /// Nobody waits, so nothing is hurried: behind the state it is asked at once who has control.
 #[test]
 fn one_drive_alone_is_asked_for_its_shaft_when_it_is_known_what_it_obeys() {
-    let all = sent(&running("-a 1 --drive acu statemachine quick-stop", &drive(1, "10", "")));
+    let all = sent(&running("-a 1 --drive acu statemachine quick-stop", &drive(1, "10", "")).err);
     let place = |begins: &str| all.iter().position(|(_, hex)| hex.starts_with(begins)).unwrap();
     // Besides the look that tells the answer from an echo.
     let shaft = all.iter().rposition(|(_, hex)| hex.starts_with("01 64 00 D2")).unwrap();
@@ -155,7 +143,7 @@ fn beside_others_too_a_drive_that_obeys_contacts_gets_no_command() {
     let contacts = drive(1, "10", "").replace("\"410\" = 15, \"412\" = 1", "\"410\" = 3, \"412\" = 2");
     for verb in ["disable", "quick-stop"] {
         let run = running(&format!("-a 1,2 statemachine {verb}"), &[contacts.clone(), drive(2, "10", "")].concat());
-        let all = sent(&run);
+        let all = sent(&run.err);
         let words: Vec<_> = all.iter().filter_map(|(_, hex)| hex.strip_prefix("01 06 01 9A ")?.get(..5)).collect();
         assert!(words.iter().all(|word| ["00 02", "00 01", "00 00"].contains(word)), "{verb}: {words:?}");
         assert_eq!(words.last(), Some(&"00 00"), "{verb}");
@@ -168,7 +156,7 @@ fn beside_others_too_a_drive_that_obeys_contacts_gets_no_command() {
 #[test]
 fn one_drive_alone_is_told_five_times_without_a_pause() {
     for (line, word) in [("statemachine quick-stop", "01 06 01 9A"), ("sollwert 0Hz", "01 65 01 E4")] {
-        let all = sent(&running(&format!("-a 1 --drive acu {line}"), &drive(1, "10", DEAD)));
+        let all = sent(&running(&format!("-a 1 --drive acu {line}"), &drive(1, "10", DEAD)).err);
         let words =
             all.iter().skip_while(|(_, hex)| !hex.starts_with(word)).take_while(|(_, hex)| hex.starts_with(word));
         let at: Vec<f64> = words.map(|(at, _)| *at).collect();
@@ -184,6 +172,7 @@ fn one_drive_alone_is_told_five_times_without_a_pause() {
 fn nobody_who_is_named_waits_for_a_question_to_a_silent_one() {
     let dead = (1..=5).map(|address| drive(address, "10", DEAD)).collect::<String>();
     let run = running("-a 1-6 --drive acu statemachine quick-stop", &[dead, drive(6, "10", "")].concat());
-    let first = |address: &str| sent(&run).iter().find(|(_, hex)| hex.starts_with(address)).map(|(at, _)| *at).unwrap();
+    let first =
+        |address: &str| sent(&run.err).iter().find(|(_, hex)| hex.starts_with(address)).map(|(at, _)| *at).unwrap();
     assert!(first("06 ") - first("01 ") < 1_000.0, "{}", run.err);
 }

@@ -1,17 +1,11 @@
 //! What another master, or a silence, makes of a run where its answer was looked at too late, or too early.
 
-use super::rig::{DISABLE, RUNNING, drive, servo};
+use super::rig::{DISABLE, RUNNING, drive, servo, when};
 use crate::run::antrieb;
 use serde_json::json;
 
 const KEYS: &str = "RAMPacc = 3000, RAMPdecel = 3000, RAMPn_max = 3000";
 const QUICK_STOP: &str = "01 10 1B 02 00 02 04 00 00 00 02";
-
-fn when(err: &str, word: &str) -> f64 {
-    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
-    let found = lines.filter(|(_, hex)| hex.starts_with(word)).find_map(|(at, _)| at.trim().parse().ok());
-    found.unwrap_or_else(|| panic!("{word}: {err}"))
-}
 
 /// Between two questions it begins to tell both what was written and what is in force: nobody else has chosen our own mode.
 #[test]

@@ -1,7 +1,7 @@
 //! What another master does to a servo that runs: it chooses another source of the setpoint, another mode, another limit or ratio.
 
 use super::events::left;
-use super::rig::{drive, servo};
+use super::rig::{drive, sent, servo, when};
 use crate::run::antrieb;
 use antrieb::transport::witness;
 use serde_json::json;
@@ -19,17 +19,6 @@ fn bench(event: &str) -> String {
 
 fn at_time(second: u32, set: &str) -> String {
     format!("[[drive.event]]\nat = \"{second}s\"\nset = {{ {set} }}\n")
-}
-
-/// Telegrams that went out, with the time of each in ms.
-fn sent(err: &str) -> Vec<(f64, String)> {
-    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
-    lines.filter_map(|(at, hex)| Some((at.trim().parse().ok()?, hex.trim().to_owned()))).collect()
-}
-
-fn when(err: &str, word: &str) -> f64 {
-    let found = sent(err).into_iter().find(|(_, hex)| hex.starts_with(word));
-    found.unwrap_or_else(|| panic!("{word}: {err}")).0
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! A drive that refuses its control word, and nothing else, while its shaft turns.
 
-use super::rig::{READY, RUNNING, drive};
+use super::rig::{READY, RUNNING, drive, when};
 use crate::run::antrieb;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
@@ -108,8 +108,6 @@ fn a_drive_that_ignores_its_stop_was_not_enabled_again_and_is_not_told_by_the_te
 #[test]
 fn a_zero_does_not_wait_for_a_setpoint_that_the_drive_does_not_have() {
     let run = antrieb("-v --drive acu -a 1 sollwert 0").on("[[drive]]\nmodel = \"lxm05\"\n").run();
-    let lines = run.err.lines().filter_map(|line| line.split_once(" ms > "));
-    let said =
-        lines.filter(|(_, hex)| hex.starts_with("01 65 01 E4")).find_map(|(at, _)| at.trim().parse::<f64>().ok());
-    assert!(said.is_some_and(|at| at < 100.0), "{said:?}: {}", run.err);
+    let said = when(&run.err, "01 65 01 E4");
+    assert!(said < 100.0, "{said}: {}", run.err);
 }

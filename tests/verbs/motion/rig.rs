@@ -1,6 +1,6 @@
 //! A drive on a bench of its own in virtual time, a motor that runs on it, and what came of that.
 
-use crate::run::{Document, antrieb};
+use crate::run::{Document, Run, antrieb};
 use antrieb::drive::motion::{Ended, Motor, StopChoice, look};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::Failure;
@@ -10,11 +10,33 @@ use antrieb::profile::Registry;
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
-use antrieb::transport::Port;
+use antrieb::transport::{Port, witness};
 use std::cell::{Cell, RefCell};
 
 /// A drive that runs from the first moment on, and obeys the control word.
 pub(super) const RUNNING: &str = "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
+
+/// A verb on drives that have run for so long.
+pub(super) fn ran(lasts: Span, line: &str, bench: &str) -> Run {
+    antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
+    let (mut left, at) = witness::left().unwrap();
+    let at = at + lasts;
+    left.advance(at);
+    witness::stands(left, at);
+    antrieb(line).on(bench)
+}
+
+/// Telegrams that went out, as they are shown, with the time of each in ms.
+pub(super) fn sent(err: &str) -> Vec<(f64, String)> {
+    let lines = err.lines().filter_map(|line| line.split_once(" ms > "));
+    lines.filter_map(|(at, hex)| Some((at.trim().parse().ok()?, hex.trim().to_owned()))).collect()
+}
+
+/// When the first one that begins so went out.
+pub(super) fn when(err: &str, word: &str) -> f64 {
+    let found = sent(err).into_iter().find(|(_, hex)| hex.starts_with(word));
+    found.unwrap_or_else(|| panic!("{word}: {err}")).0
+}
 
 pub(super) fn drive(set: &str, rest: &str) -> String {
     format!("[[drive]]\nmodel = \"acu\"\nbaud = 115200\nreply_delay = \"1ms\"\nset = {{ {set} }}\n{rest}\n")

@@ -1,9 +1,8 @@
 //! Several drives are told to stop in rounds: who is silent keeps it from nobody.
 
-use super::rig::RUNNING;
+use super::rig::{RUNNING, ran};
 use crate::run::{Run, antrieb};
 use antrieb::tick::Span;
-use antrieb::transport::witness;
 
 /// When the first telegram went out that tells a drive to stop, in ms.
 fn told_at(run: &crate::run::Output, address: u8, word: &str) -> f64 {
@@ -75,12 +74,7 @@ fn running(address: u8, more: &str) -> String {
 
 /// A verb on drives that have run up for 10 s.
 fn at_speed(line: &str, bench: &str) -> Run {
-    antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
-    let (mut bench_then, at) = witness::left().unwrap();
-    let at = at + Span::from_secs(10);
-    bench_then.advance(at);
-    witness::stands(bench_then, at);
-    antrieb(line).on(bench)
+    ran(Span::from_secs(10), line, bench)
 }
 
 /// One that nobody switched on, one that says no, and good ones: the end is the same in whatever order they are named, and says every

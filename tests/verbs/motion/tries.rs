@@ -1,6 +1,6 @@
 //! What takes motion away is tried again where the line fails now and then, as what it is and not for ever.
 
-use super::rig::{DISABLE, QUICK_STOP, RUNNING, drive};
+use super::rig::{DISABLE, QUICK_STOP, RUNNING, drive, when};
 use crate::run::antrieb;
 
 const LINE: &str = "-v -b 115200 -a 1 --drive acu statemachine disable";
@@ -53,7 +53,6 @@ fn a_port_that_is_stuck_for_a_moment_behind_a_stop_ends_no_stop() {
 #[test]
 fn a_dead_line_keeps_no_stronger_stop_back() {
     let run = antrieb(LINE).on(&slows("[[drive.event]]\nafter_telegrams = 2\nsilent = \"600s\"")).run();
-    let sent = run.err.lines().filter_map(|line| line.split_once(" ms > "));
-    let harder = sent.filter(|(_, hex)| hex.starts_with(QUICK_STOP)).find_map(|(at, _)| at.trim().parse::<f64>().ok());
-    assert!(harder.is_some_and(|at| at < 4_500.0), "{harder:?}: {}", run.err);
+    let harder = when(&run.err, QUICK_STOP);
+    assert!(harder < 4_500.0, "{harder}: {}", run.err);
 }
