@@ -223,9 +223,9 @@ struct Wanted {
     window: Window,
 }
 
-/// So much around a trigger is recorded, if nobody says otherwise.
-const PRE: Span = Span::from_secs(2);
-const POST: Span = Span::from_secs(5);
+/// So much around a trigger is recorded, or told of, if nobody says otherwise.
+pub(super) const PRE: Span = Span::from_secs(2);
+pub(super) const POST: Span = Span::from_secs(5);
 /// What lies before a trigger is kept in memory until it comes.
 const LONGEST_PRE: Span = Span::from_secs(600);
 

@@ -1,5 +1,6 @@
 //! `sniff`: listens to what others say on a line. Never sends.
 
+use super::monitor::{POST, PRE};
 use super::profibus;
 use super::verb::{Flow, Verb, Working};
 use super::{Context, connect, listen, named_family, offline_family, output, telegram_reader};
@@ -92,9 +93,6 @@ pub struct Args {
     pub statistics: Option<Span>,
 }
 
-/// What lies so near to a trigger is told.
-const PRE: Span = Span::from_secs(2);
-const POST: Span = Span::from_secs(5);
 /// Where time is virtual, silence would never be cut short by anybody.
 const QUIET: Span = Span::from_secs(10);
 

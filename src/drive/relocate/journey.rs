@@ -7,6 +7,7 @@ use crate::drive::access::AccessError;
 use crate::drive::probe::probe;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
+use crate::drive::transaction::LONGEST_RESTART;
 use crate::drive::write::{Order, WriteFate};
 use crate::exchange::{ExchangeError, Limits};
 use crate::failure::Failure;
@@ -18,8 +19,6 @@ use crate::transport::LinkError;
 
 /// How often a step is tried while the drive still answers where it was.
 const TRIES: u8 = 3;
-/// The drive is "ready after a few seconds" (CM-485 manual 5.2.1).
-const LONGEST_RESTART: Span = Span::from_secs(15);
 /// Between two looks for a drive that restarts.
 const PAUSE: Span = Span::from_millis(500);
 

@@ -22,7 +22,7 @@ use crate::tick::{Span, Tick};
 use std::cmp::Reverse;
 
 /// A drive that restarts answers again "after a few seconds" (CM-485 manual 5.2.1); so long it is waited for.
-const LONGEST_RESTART: Span = Span::from_secs(15);
+pub(in crate::drive) const LONGEST_RESTART: Span = Span::from_secs(15);
 /// Between two looks for it.
 const PAUSE: Span = Span::from_millis(500);
 /// So often what came back is looked at anew, where the drive falls silent meanwhile and comes again.

@@ -21,6 +21,7 @@ mod unproven;
 mod weigh;
 
 pub use apply::apply;
+pub(super) use back::LONGEST_RESTART;
 pub use back::{NOT_SHOWN, SET, STORE, make_ready, switch_off, take_back, undo};
 pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;

@@ -2,13 +2,12 @@
 
 use super::traffic::Traffic;
 use super::words::Words;
+use crate::exchange::talk::WINDOW;
 use crate::exchange::{Conversation, Step};
 use crate::protocol::can::slcan::Word;
 use crate::tick::{Span, Tick};
 use std::collections::VecDeque;
 
-/// How long a bus is listened to before anything is sent on it: who asks once a second is heard.
-const LISTENED: Span = Span::from_millis(1_250);
 /// How long an adapter gets to acknowledge; a choice, USB adapters take some milliseconds.
 const ANSWER: Span = Span::from_millis(300);
 /// An adapter is taken to have said everything when it is silent for so long; at the latest behind the longer time.
@@ -153,7 +152,7 @@ impl Conversation for Opening {
         let (span, longest) = match self.stages.front() {
             Some(Stage::Tell(_)) => (ANSWER, ANSWER),
             Some(Stage::Quiet) => (QUIET, QUIET_AT_LAST),
-            Some(Stage::Listen) | None => (LISTENED, LISTENED),
+            Some(Stage::Listen) | None => (WINDOW, WINDOW),
         };
         self.until = Some((now + span, now + longest));
         match self.stages.front() {

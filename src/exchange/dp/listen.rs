@@ -1,12 +1,11 @@
 //! Whether somebody else asks on a line, before anything is sent.
 
+use crate::exchange::talk::WINDOW;
 use crate::exchange::{Conversation, Step};
 use crate::protocol::dp::frame::cut;
 use crate::protocol::dp::{Control, Telegram};
-use crate::tick::{Span, Tick};
+use crate::tick::Tick;
 
-/// So long is listened: who asks once a second is heard.
-const LISTENED: Span = Span::from_millis(1_250);
 /// So many bytes that are no telegram are no noise any more: somebody speaks at another speed.
 const NOISE: usize = 12;
 /// Bytes that are kept.
@@ -33,7 +32,7 @@ pub struct Listening {
 impl Listening {
     /// Listens from `now` on.
     pub fn new(now: Tick) -> Self {
-        Listening { until: now + LISTENED, bytes: Vec::new() }
+        Listening { until: now + WINDOW, bytes: Vec::new() }
     }
 
     fn master(&self) -> Option<u8> {
@@ -76,7 +75,7 @@ mod tests {
     fn a_few_bytes_that_are_no_telegram_are_noise_and_twelve_are_somebody() {
         for (bytes, expected) in [(0, Heard::Nobody), (NOISE - 1, Heard::Nobody), (NOISE, Heard::Somebody)] {
             let mut listening = Listening::new(Tick::ZERO);
-            let end = Tick::ZERO + LISTENED;
+            let end = Tick::ZERO + WINDOW;
             assert_eq!(listening.step(Tick::ZERO), Step::Wait(end));
             listening.feed(Tick::ZERO, &vec![0x55; bytes]);
             assert_eq!(listening.step(end), Step::Done(expected), "{bytes}");

@@ -22,6 +22,7 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::{Parting, Served};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
+use crate::transport::clock::THREAD_SLEEPS_FROM;
 use backlog::Backlog;
 use std::future::Future;
 use std::io;
@@ -109,8 +110,6 @@ pub struct Server {
     port: Port,
 }
 
-/// tokio's timers are 1-2 ms late (docs/measured.md): what is nearer is slept by the thread.
-const THREAD_SLEEPS_FROM: Span = Span::from_millis(3);
 /// The last bit of a wait is spun. Spinning longer starves the kernel worker that carries the bytes of a pseudo
 /// terminal, and replies arrive in one piece (docs/measured.md).
 const SPIN_FROM: Span = Span::from_micros(80);

@@ -1,6 +1,7 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
+use super::word::TO_TELL;
 use super::{
     BRIEF, PAUSE, SHORT, SHOUTING, TIMES, TURN, at_once, doubted, in_short, in_turn, insist, narrowed, others,
     presumed, unless_interrupted,
@@ -18,10 +19,7 @@ use crate::tick::{Span, Tick};
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-/// How long it is looked whether a setpoint of zero only slows the shaft: for as long as a drive may take to answer (CM-485 manual
-/// 6.8), and once more, if that was lost, of a drive that answers at once.
-const LOOKING: Span = Span::from_millis(560);
-/// And when the last of these questions ends: a drive that has told the first has told both by then.
+/// When the last question whether a setpoint of zero only slows the shaft ends: a drive that has told the first has told both by then.
 const LOOKED: Span = Span::from_millis(900);
 /// Who refuses to tell so often has none of its own, and is not busy for a moment only.
 const REFUSALS: u8 = 3;
@@ -194,9 +192,9 @@ async fn acting(
 async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
     let begun = session.now();
     let (mut internal, mut line, mut refusals) = (None, None, 0);
-    while session.now().since(begun) < LOOKING && refusals < REFUSALS {
+    while session.now().since(begun) < TO_TELL && refusals < REFUSALS {
         if internal.is_none() {
-            let told = told(session, meant, family, ("setpoint-internal", begun + LOOKING)).await?;
+            let told = told(session, meant, family, ("setpoint-internal", begun + TO_TELL)).await?;
             refusals += u8::from(told == Some(None));
             internal = told.flatten();
         }
