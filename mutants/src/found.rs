@@ -133,7 +133,11 @@ impl Finder<'_> {
             syn::ReturnType::Type(_, kind) => self.source(kind).split_whitespace().collect::<Vec<_>>().join(" "),
         };
         let open = self.at(block.brace_token.span.open().end());
-        for plain in plain(&given).into_iter().filter(|_| !block.stmts.is_empty()) {
+        let stands = match &block.stmts[..] {
+            [only] => self.source(only).to_owned(),
+            _ => String::new(),
+        };
+        for plain in plain(&given).into_iter().filter(|plain| !block.stmts.is_empty() && *plain != stands) {
             let (was, becomes) = (format!("{}()", signature.ident), format!("{{ {plain} }}"));
             self.add(signature.span().start().line, (open, open), [&was, &becomes], Change::Return(plain));
         }

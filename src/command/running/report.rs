@@ -34,12 +34,16 @@ pub(super) async fn aftermath(
     let is_on = after.as_ref().is_some_and(has_power);
     let mut standing = match &ended.stop {
         Some(stop) if after.is_none() => stop.standing,
-        Some(stop) if stop.standing == Some(true) && !is_on => stop.standing,
+        Some(stop) if stop.standing == Some(true) && !is_on && motor.stays_still() => stop.standing,
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
+    if let Some(stop) = ended.stop.as_mut().filter(|stop| stop.standing == Some(true) && standing == Some(false)) {
+        (stop.acknowledged, stop.standing) = (false, standing);
+    }
     let is_relieved = plan.aim.is_some_and(|aim| aim != Relief::Zero) && (!is_on || ended.result.is_ok());
-    if (standing != Some(true) || is_on)
+    let is_late = ended.stop.is_some() && motor.waits_for_what_is_owed().await;
+    if (is_late || standing != Some(true) || is_on)
         && (is_relieved || ended.stop.as_ref().is_some_and(verdict::is_off))
         && let Some(seen) = after.as_mut()
     {

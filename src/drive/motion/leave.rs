@@ -12,6 +12,13 @@ const RETURNS: u8 = 3;
 const MOMENT: Span = Span::from_millis(150);
 
 impl Motor<'_, '_> {
+    /// Waits for replies that are still owed, unless somebody is in a hurry; whether there were any. The line is kept for so long anyway,
+    /// and what is looked at behind that is seen as late as may be.
+    pub async fn waits_for_what_is_owed(&mut self) -> bool {
+        let Some(until) = self.session.owes_until().filter(|_| !self.hurried && !self.unheard) else { return false };
+        self.rest(until.since(self.session.now())).await.is_ok()
+    }
+
     /// What the drive says as the program leaves. Where it says nothing more, what was seen last still tells that it was
     /// without power; `None` if nothing does.
     pub async fn leave(&mut self) -> Option<Situation> {

@@ -122,6 +122,12 @@ impl Motor<'_, '_> {
         }
     }
 
+    /// Whether nothing was said to the drive behind the proof that its shaft stands: the word that takes the power, as control goes back,
+    /// may take it from a shaft that somebody else turns again.
+    pub fn stays_still(&self) -> bool {
+        self.still == Some(Some(true))
+    }
+
     /// Whether the shaft stands as the program leaves; `None` if nothing tells, the line included. A standstill that was
     /// proven of a drive without power stays proven.
     pub async fn stands_at_the_end(&mut self) -> Option<bool> {

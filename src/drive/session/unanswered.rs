@@ -61,6 +61,11 @@ impl Session<'_> {
         }
     }
 
+    /// Until when a reply may still come that somebody owes. The line is kept for so long, whoever leaves.
+    pub(in crate::drive) fn owes_until(&self) -> Option<Tick> {
+        self.line.borrow().master.owes_until(self.now())
+    }
+
     /// Whether a station was asked for what an earlier master left there.
     pub(in crate::drive) fn is_unlocked(&self, station: u8) -> bool {
         self.known.unlocked.contains(&station)

@@ -2,6 +2,8 @@
 
 use super::modbus::has_form_of_reply;
 use super::*;
+use crate::protocol::can::sdo::{self as can, AbortCode, Initiate, Multiplexer};
+use crate::protocol::can::{SdoChannel, Service, Telegram};
 use crate::protocol::dp::pkw::Pkw;
 use crate::protocol::modbus::pdu::{Reply, Request};
 use crate::protocol::modbus::{Framing, ascii, rtu};
@@ -160,17 +162,79 @@ fn a_block_of_pkw_names_its_station_its_parameter_and_its_element() {
     }
 }
 
+const SDO: Dialect = Dialect::Sdo(sdo::Sdo(SdoChannel::Two));
+
+fn of(index: u16) -> Multiplexer {
+    Multiplexer { index, sub: 0 }
+}
+
+fn upload(index: u16) -> Question {
+    Question::from(can::Request::Upload(of(index)))
+}
+
+fn download(index: u16) -> Question {
+    Question::from(can::Request::Download(of(index), Initiate::word(1)))
+}
+
+/// What a node says over a channel.
+fn said(channel: SdoChannel, node: u8, reply: &can::Reply) -> Vec<u8> {
+    let identifier = Service::SdoReply(channel, node).identifier().unwrap();
+    Telegram { identifier, data: reply.encode() }.encode().to_vec()
+}
+
 #[test]
 fn a_refusal_of_sdo_names_the_parameter_and_not_what_was_done_with_it() {
-    use crate::protocol::can::SdoChannel;
-    use crate::protocol::can::sdo::{self, Initiate, Multiplexer};
-    let of = |index| Multiplexer { index, sub: 0 };
-    let sdo = Dialect::new(Protocol::Sdo(SdoChannel::Two));
-    let read = |index| Question::from(sdo::Request::Upload(of(index)));
-    let write =
-        Question::from(sdo::Request::Download(of(0x2174), Initiate::Expedited { bytes: [1, 0, 0, 0], size: Some(2) }));
-    assert!(sdo.refuses_alike(&read(0x2174), &write) && !sdo.refuses_alike(&read(0x2175), &write));
-    assert!(!sdo.answers_alike(&read(0x2174), &write), "an acknowledgement is no value");
+    let write = download(0x2174);
+    assert!(SDO.refuses_alike(&upload(0x2174), &write) && !SDO.refuses_alike(&upload(0x2175), &write));
+    let alike = [download(0x2174), download(0x2175), upload(0x2174)].map(|missing| SDO.answers_alike(&missing, &write));
+    assert_eq!(alike, [true, false, false], "an acknowledgement is no value");
+    assert!(Said::Sdo(can::Reply::Abort(of(1), AbortCode(0))).is_refusal());
+    assert!(!Said::Sdo(can::Reply::Downloaded(of(1))).is_refusal());
+}
+
+/// An answer is known by its channel, its node and its parameter, wherever it comes among others.
+#[test]
+fn an_answer_of_sdo_is_found_among_others() {
+    let (mine, other) = (SdoChannel::Two, SdoChannel::One);
+    let value = |index| can::Reply::Upload(of(index), Initiate::word(7));
+    let found = |came: &[Vec<u8>]| SDO.find(&came.concat(), 3, &upload(0x2174)).map(|found| (found.start, found.end));
+    let answer = said(mine, 3, &value(0x2174));
+    let others = [said(other, 3, &value(0x2174)), said(mine, 4, &value(0x2174)), said(mine, 3, &value(0x2175))];
+    assert_eq!(found(&others), None);
+    assert_eq!(found(&[&others[..], &[answer.clone()]].concat()), Some((30, 40)));
+    assert_eq!(SDO.shortest_reply(), 10);
+    let within = [&answer[..], &[&answer[..], &[3]].concat()].map(|bytes| SDO.reply_within(bytes));
+    assert_eq!(within, [None, Some(0..10)]);
+    for (channel, asked) in [(mine, Some((3, upload(0x2174)))), (other, None)] {
+        let request = Telegram::request(channel, 3, can::Request::Upload(of(0x2174)).encode()).unwrap();
+        assert_eq!(SDO.question(&request.encode()), asked, "{channel:?}");
+    }
+    assert_eq!(SDO.question(&answer), None);
+}
+
+/// Frames come whole; what is left of one when the bus is silent is told as it is.
+#[test]
+fn frames_are_cut_where_they_end() {
+    let (mut cutter, _) = SDO.cutter(LineSetting::rtu(9_600, crate::protocol::line::Parity::Even));
+    assert_eq!(cutter.feed(&[1; 9]), Vec::<Vec<u8>>::new());
+    assert_eq!(cutter.feed(&[1; 14]), [vec![1; 10], vec![1; 10]]);
+    assert_eq!(cutter.silence(), [vec![1; 3]]);
+    assert_eq!(cutter.silence(), Vec::<Vec<u8>>::new());
+}
+
+#[test]
+fn what_sdo_and_pkw_ask_is_harmless_where_it_reads_what_stays() {
+    // The error register (P.11) is cleared by reading.
+    let told = [upload(0x2174), upload(11), download(0x2174)];
+    assert_eq!(told.each_ref().map(Question::is_harmless), [true, false, false]);
+    assert_eq!(told.each_ref().map(Question::is_write), [false, false, true]);
+    assert_eq!(told.map(|question| question.function()), [0, 0, 1]);
+    let blocks = [block(1, 0), block(2, 0), block(6, 2), block(7, 2)].map(Question::from);
+    assert_eq!(blocks.each_ref().map(Question::is_harmless), [true, false, true, false]);
+    assert_eq!(blocks.each_ref().map(Question::is_write), [false, true, false, true]);
+    assert_eq!(blocks.map(|question| question.function()), [1, 2, 6, 7]);
+    // Over a line of another protocol it goes out as it would over its own.
+    assert_eq!(vabus().encode(3, &upload(0x2174)), SDO.encode(3, &upload(0x2174)));
 }
 
 /// Everybody answers who is asked for a value over Modbus, if only by a refusal; a counter need not be there.

@@ -3,6 +3,8 @@
 use super::events::left;
 use super::rig::{RUNNING, drive, sent};
 use crate::run::antrieb;
+use antrieb::tick::Span;
+use antrieb::transport::witness;
 
 const OFF: &str = "01 06 01 9A 00 00";
 const AGAIN: &str = "it was enabled again behind its stop, by somebody else: the stop went out again";
@@ -39,4 +41,40 @@ fn a_drive_that_is_enabled_again_while_its_shaft_is_looked_at_is_stopped_once_mo
 fn a_drive_that_answers_at_once_and_is_enabled_again_is_stopped_once_more() {
     let told = enabled_at_the_end("\"1ms\"");
     assert!(told > 3, "{told}");
+}
+
+/// As control goes back, the word that takes the power goes out once more: a shaft that somebody else has turned meanwhile coasts behind it.
+#[test]
+fn a_shaft_that_the_giving_back_leaves_coasting_is_not_told_as_one_that_stands() {
+    let quiet = "\"412\" = 44, \"434\" = 2, \"484\" = 10, \"418\" = 0";
+    let shows = "readings = { coast_shows = \"shaft\" }\nramps = { up_right = 20, down_right = 20, up_left = 50, down_left = 5 }\n";
+    let bench = |event: &str| drive(quiet, &format!("{shows}{event}")).replace("\"1ms\"", "\"100ms\"");
+    let line = "-v --yes -b 115200 -a 1 --drive acu sollwert 10Hz --take-control --jog 1s";
+    let calm = antrieb(line).on(&bench("")).exits(0).sent();
+    let proof = calm.iter().rposition(|hex| hex.starts_with("01 06 61 9C 00 2C")).unwrap() - 12;
+    let mut turned = 0;
+    for after in proof..calm.len() {
+        let event = format!("[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"410\" = 15, \"484\" = 3000 }}");
+        let run = antrieb(line).on(&bench(&event)).json();
+        let (mut now, at) = witness::left().unwrap();
+        now.advance(at);
+        let turning = now.totals().turning;
+        let seen = format!("{after} of {}: {turning} {:#} {}", calm.len(), run.value, run.err);
+        turned += usize::from(turning > 0);
+        assert!(turning == 0 || run.exit != 0, "{seen}");
+    }
+    assert!(turned > 0);
+}
+
+/// The line is kept as long as a reply is owed, whoever leaves: what the drive does in that time is seen.
+#[test]
+fn nobody_looks_for_the_last_time_while_a_reply_is_owed() {
+    for every in [7, 8, 10, 13] {
+        let disturbed = format!("[[disturb]]\nevery = {every}\nkind = \"late\"\nby = \"900ms\"");
+        let bench = format!("[[drive]]\nmodel = \"lxm05\"\naddress = 3\nreply_delay = \"1ms\"\n{disturbed}\n");
+        antrieb("-a 3 --drive lxm05 --yes sollwert 300rpm --jog 1s").on(&bench).exits(0);
+        let (mut line, at) = witness::left().unwrap();
+        let owed = line.advance(at + Span::from_secs(2));
+        assert!(owed.is_empty(), "{every}: {owed:?} behind {at:?}");
+    }
 }
