@@ -1,7 +1,9 @@
 //! Adapters of every kind, by hand.
 
+use super::words::Words;
 use super::{Channel, Ear, Opening, Overheard, Unopened};
 use crate::exchange::{Conversation, Step};
+use crate::protocol::can::slcan::Word;
 use crate::protocol::can::{SdoChannel, Telegram, telegram_frame};
 use crate::tick::{Span, Tick};
 use proptest::prelude::*;
@@ -29,6 +31,31 @@ fn opened(says: impl Fn(&str) -> Vec<u8>) -> (<Opening as Conversation>::End, Ve
 
 fn channel(sdo: SdoChannel) -> Channel {
     Channel::new(sdo, Rc::default())
+}
+
+/// What an adapter says is cut at its ends; what is too long for a word counts byte by byte, and what is damaged is kept to be told.
+#[test]
+fn words_end_where_the_adapter_ends_them() {
+    let mut words = Words::default();
+    assert_eq!(words.feed(b"V10\n13\r\n"), [Word::Version("1013".to_owned())]);
+    assert_eq!((words.garbage(), words.damaged()), (0, Vec::new()));
+    assert_eq!(words.feed(&[&[b'x'; 40][..], b"\r\x07"].concat()), [Word::Refused]);
+    assert_eq!((words.garbage(), words.damaged()), (40, vec![vec![b'x'; 40]]), "nothing stood before the bell");
+    words.feed(&[b'x'; 42]);
+    assert_eq!(words.garbage(), 40 + 42);
+    words.feed(b"\r");
+    assert_eq!((words.garbage(), words.damaged()), (40 + 42, vec![vec![b'x'; 40]]));
+    words.feed("x\r".repeat(1_024 + 1).as_bytes());
+    assert_eq!(words.damaged().len(), 1_024);
+}
+
+/// Who says what an adapter says is one, whatever else came from it.
+#[test]
+fn noise_of_an_adapter_that_answers_does_not_end_it() {
+    let says = |noise: &'static [u8]| {
+        move |word: &str| if word == "V" { [noise, b"V1013\r"].concat() } else { b"\r".to_vec() }
+    };
+    assert!(opened(says(b"???\r")).0.is_ok());
 }
 
 /// A bus of 1 Mbit/s brings more than anybody reads: the first are kept, and how many were lost is told.

@@ -74,8 +74,9 @@ impl Asked {
         };
         let dsap = self.service.sap();
         let control = Control::Request { function, count };
-        let fixed = self.data.len() == 8 && dsap.is_none();
-        Frame { to, from, control, dsap, ssap: dsap.map(|_| SSAP), data: self.data.clone(), is_fixed: fixed }
+        // SD3 carries eight bytes and no access point.
+        let is_fixed = dsap.is_none();
+        Frame { to, from, control, dsap, ssap: dsap.map(|_| SSAP), data: self.data.clone(), is_fixed }
     }
 
     /// Whether SC is an answer to it.

@@ -198,6 +198,44 @@ fn a_short_acknowledgement_answers_only_what_can_be_acknowledged() {
     }
 }
 
+/// USB adapters hold bytes back for up to 16 ms at low rates (docs/measured.md).
+#[test]
+fn a_fast_line_is_waited_for_less() {
+    let slot = |baud| Timing::of(LineSetting::rtu(baud, Parity::Even)).slot.as_micros();
+    assert_eq!([45_450, 93_750, 500_000].map(slot), [30_000, 8_000, 8_000]);
+}
+
+/// What the line has come to is the sum of what each question has.
+#[test]
+fn what_answers_took_is_summed_up() {
+    let mut fdl = Fdl::new(5, LINE, Timing::of(LINE), Tick::ZERO);
+    assert_eq!(fdl.address(), 5);
+    let mut now = Tick::ZERO;
+    let answer = {
+        let control = Control::Reply { station: Station::Slave, status: Status::DataLow };
+        let (dsap, ssap, data) = (Some(62), Some(60), vec![0; 6]);
+        Telegram::Frame(Frame { to: 5, from: 3, control, dsap, ssap, data, is_fixed: false }).encode()
+    };
+    let mut waited = 0;
+    for late in [10, 20] {
+        fdl.ask(3, diag(), Some(1), now);
+        sent(&mut fdl, &mut now);
+        now += Span::from_millis(late);
+        fdl.feed(now, &answer);
+        assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+        waited += fdl.answered_after().unwrap().as_micros();
+    }
+    assert_eq!((fdl.tally().replies, fdl.tally().waited.as_micros()), (2, waited));
+    // Who had to be asked again may have answered either question.
+    fdl.ask(3, diag(), Some(1), now);
+    sent(&mut fdl, &mut now);
+    sent(&mut fdl, &mut now);
+    now += Span::from_millis(10);
+    fdl.feed(now, &answer);
+    assert!(matches!(fdl.step(now), Step::Done(Ok(_))));
+    assert_eq!(fdl.answered_after(), None);
+}
+
 #[test]
 fn how_often_each_station_was_asked_again_is_counted() {
     let (mut fdl, mut now) = (fdl(), Tick::ZERO);
