@@ -208,6 +208,17 @@ mod tests {
         assert_eq!(raw("speed", "10 Hz"), None);
     }
 
+    /// Where a setpoint stays for a while it has not turned.
+    #[test]
+    fn a_way_is_told_by_the_places_where_it_turns() {
+        let turns = |values: &[i64]| {
+            let points = (0..).zip(values.iter().copied()).collect();
+            Schedule::steps(points).unwrap().turns()
+        };
+        assert_eq!((turns(&[2, 2]), turns(&[1, 2, 2, 3]), turns(&[1, 2, 2, 1])), (vec![2], vec![1, 3], vec![1, 2, 1]));
+        assert_eq!((turns(&[3, 2, 2, 1]), turns(&[0, 5, -5, 0])), (vec![3, 1], vec![0, 5, -5, 0]));
+    }
+
     #[test]
     fn speed_becomes_frequency_by_pole_pairs() {
         assert_eq!(frequency_of_speed(150_000, 2), Some(5_000));

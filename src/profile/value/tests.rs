@@ -17,6 +17,32 @@ fn decimals_are_exact_both_ways() {
     }
 }
 
+/// What is too fine is told with the values on both sides, the smaller one first.
+#[test]
+fn what_is_too_fine_is_told_with_its_neighbours() {
+    for (text, near) in
+        [("5.001", ["5.00 Hz", "5.01 Hz"]), ("-5.001", ["-5.01 Hz", "-5.00 Hz"]), ("-0.001", ["-0.01 Hz", "0.00 Hz"])]
+    {
+        let Err(ValueError::Decimals { step, near: told, .. }) = parse(text, &param("Hz", 2), &[]) else {
+            panic!("{text}")
+        };
+        assert_eq!((step.as_str(), told), ("0.01 Hz", near.map(str::to_owned)), "{text}");
+    }
+}
+
+/// Of a table as many values are named as can be read at once; a raw value may be up to its largest, if nothing else tells.
+#[test]
+fn a_table_tells_its_first_values_and_its_largest() {
+    let choices: Vec<_> = (0..9).map(|raw| (raw, ["one", "einer"])).collect();
+    let told = |count: usize| may_be(&param("", 0), &choices[..count]).len();
+    assert_eq!([told(7), told(8), told(9)], [7, 8, 9], "eight, and where the rest is");
+    assert!(
+        may_be(&param("", 0), &choices)[8].en.contains("lists all")
+            && !may_be(&param("", 0), &choices[..8])[7].en.contains("lists all")
+    );
+    assert_eq!([8, 9].map(|raw| may_be_raw(raw, &param("", 0), &choices)), [true, false]);
+}
+
 #[test]
 fn values_come_as_technicians_type_them() {
     for (text, unit, decimals, raw) in [

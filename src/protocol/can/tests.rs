@@ -4,7 +4,10 @@ use super::emergency::Emergency;
 use super::nmt::{Command, Life, Order};
 use super::pdo::{Kind, Pdo, Place};
 use super::sdo::{AbortCode, Initiate, Multiplexer, Reply, Request, Segment};
-use super::{Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, SdoChannel, Service, candump, slcan};
+use super::{
+    Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, SdoChannel, Service, Telegram, candump,
+    duration, slcan,
+};
 use proptest::prelude::*;
 
 #[test]
@@ -247,6 +250,54 @@ fn segments_toggle_and_a_transfer_is_ended_by_both() {
     let ended = [0x80, 0x74, 0x01, 0x02, 0, 0, 4, 5];
     assert!(matches!(Request::decode(ended), Request::Abort(_, AbortCode(0x0504_0000))));
     assert!(matches!(Reply::decode(ended), Reply::Abort(_, AbortCode(0x0504_0000))));
+}
+
+/// Of both kinds the largest is one, and the next is none.
+#[test]
+fn identifiers_end_where_their_bits_do() {
+    assert_eq!([0x7FF, 0x800].map(|number| Identifier::standard(number).is_some()), [true, false]);
+    assert_eq!([0x1FFF_FFFF, 0x2000_0000].map(|number| Identifier::extended(number).is_some()), [true, false]);
+    let telegram = |identifier: u16| Telegram::decode(&[&identifier.to_be_bytes()[..], &[0; 8]].concat()).is_some();
+    assert_eq!([0x7FF, 0x800].map(telegram), [true, false]);
+    assert_eq!([SdoChannel::One, SdoChannel::Two].map(SdoChannel::number), [1, 2]);
+}
+
+/// A frame of eight bytes is a telegram as it is, and one of fewer is cut short.
+#[test]
+fn a_frame_of_eight_bytes_is_not_cut_short() {
+    for len in 0..=8 {
+        let frame =
+            Frame { identifier: Identifier::Standard(0x583), body: Body::Data(Payload::new(&vec![7; len]).unwrap()) };
+        assert_eq!(
+            (Telegram::cut_short(&frame).is_some(), Telegram::of(&frame).is_some()),
+            (len < 8, len == 8),
+            "{len}"
+        );
+    }
+}
+
+/// A frame of eight bytes has at most 135 bits with those that are stuffed, of 11 bits and with the three behind it (ISO 11898-1).
+#[test]
+fn a_frame_takes_its_bits() {
+    assert_eq!([0, 1, 8].map(|bytes| duration(1_000_000, bytes).as_micros()), [55, 65, 135]);
+    assert_eq!(duration(125_000, 8).as_micros(), 1_080);
+}
+
+/// A piece of a value from the client and what asks for the next one are told apart, and neither is what begins.
+#[test]
+fn pieces_of_a_value_are_known_by_their_specifier() {
+    let segment = Segment::new(true, true, &[1, 2, 3]).unwrap();
+    assert_eq!(Request::decode([0x19, 1, 2, 3, 0, 0, 0, 0]), Request::DownloadSegment(segment));
+    assert_eq!(Request::decode([0x70, 0, 0, 0, 0, 0, 0, 0]), Request::UploadSegment { toggle: true });
+    assert_eq!(Reply::decode([0x19, 1, 2, 3, 0, 0, 0, 0]), Reply::UploadSegment(segment));
+}
+
+#[test]
+fn words_of_an_adapter_have_their_lengths() {
+    let said = |word: &str| slcan::Word::read(word).is_ok();
+    assert_eq!(["F", "F0", "F04", "F004"].map(said), [true, false, true, false]);
+    assert_eq!(["V1013", "V10133", "NA123", "NA1234"].map(said), [true, false, true, false]);
+    assert_eq!(["t+230", "t1230", "t1+2", "t"].map(said), [false, true, false, false]);
 }
 
 fn frames() -> impl Strategy<Value = Frame> {

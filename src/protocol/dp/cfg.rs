@@ -160,6 +160,21 @@ mod tests {
         assert_eq!((of_words(1, false), of_words(1, true)), (0x50, 0x60)); // 3.1.1
     }
 
+    /// The last one may be cut off, and then carries nothing; a byte that stands alone has both directions, or none.
+    #[test]
+    fn identifiers_tell_what_they_carry() {
+        let carried = |bytes: &[u8]| {
+            let count = |extent: Option<Extent>| extent.map(|extent| extent.count);
+            identifiers(bytes).iter().map(|one| (count(one.inputs), count(one.outputs))).collect::<Vec<_>>()
+        };
+        assert_eq!(carried(&[0x73, 0x12, 0x24]), [(Some(4), Some(4)), (Some(3), None), (None, Some(5))]);
+        assert_eq!(carried(&[0xC0, 0x41, 0x42]), [(Some(3), Some(2))]);
+        assert_eq!(carried(&[0x40, 0x43, 0x80, 0x44]), [(Some(4), None), (None, Some(5))]);
+        assert_eq!(carried(&[0xC0, 0x41]), [(None, None)], "cut off");
+        assert_eq!(carried(&[0x02, 7, 8, 0x10]), [(None, None), (Some(1), None)], "bytes of the maker");
+        assert_eq!(carried(&[0x0F, 0x10]), [(None, None), (Some(1), None)]);
+    }
+
     #[test]
     fn identifiers_of_both_forms() {
         let found = identifiers(&[0xF3, 0x10, 0xC2, 0x41, 0x80, 0xAA, 0xBB, 0x00, 0x41]);

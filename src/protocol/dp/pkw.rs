@@ -151,6 +151,19 @@ mod tests {
         words.map(u16::to_be_bytes).concat().try_into().unwrap()
     }
 
+    /// Which keys carry two words, an element, a value to the slave; and which the manual names and the module does not know (4.1.1).
+    #[test]
+    fn keys_say_what_they_carry() {
+        let tasks = |is: fn(Task) -> bool| (0..16).filter(|ak| is(Task::of(*ak))).collect::<Vec<_>>();
+        assert_eq!(tasks(Task::writes), [2, 3, 5, 7, 8]);
+        assert_eq!(tasks(Task::has_element), [6, 7, 8]);
+        assert_eq!(tasks(Task::is_double), [3, 8]);
+        assert_eq!(tasks(Task::is_unsupported), [4, 5, 8]);
+        let answers = |is: fn(Answer) -> bool| (0..16).filter(|ak| is(Answer::of(*ak))).collect::<Vec<_>>();
+        assert_eq!(answers(Answer::has_element), [4, 5]);
+        assert_eq!(answers(Answer::is_double), [2, 5]);
+    }
+
     /// Manual 4.1: what is received for the motor current, and A038 put into PZD3.
     #[test]
     fn the_blocks_of_the_manual() {

@@ -63,6 +63,9 @@ mod tests {
         assert_eq!(said.status, LOCK | SYNC | FREEZE | WATCHDOG);
         assert_eq!((said.watchdog_time(), said.ident), (Some(Span::from_millis(300)), 0x0A35));
         assert_eq!((said.groups, said.user.len()), (1, 7));
+        let watched = |status, watchdog| Parameters { status, watchdog, ..said.clone() }.watchdog_time();
+        assert_eq!(watched(WATCHDOG, [10, 20]), Some(Span::from_secs(2)), "the product times 10 ms");
+        assert_eq!(watched(LOCK | SYNC | FREEZE, [10, 20]), None, "it is off");
     }
 
     proptest! {

@@ -94,6 +94,9 @@ mod tests {
         let says = [0x68, 0x0B, 0x0B, 0x68, 0x82, 0x88, 8, 0x3E, 0x3C, 2, 5, 0, 0xFF, 0x0A, 0x35, 0xD1, 0x16];
         assert_eq!([service(&asks), service(&says)], [Service::SlaveDiag; 2]);
         assert_eq!(service(&[0x10, 8, 2, 0x49, 0x53, 0x16]), Service::Link);
+        // Without an access point data are those of the exchange, and none are of the link.
+        assert_eq!(service(&[0x68, 4, 4, 0x68, 2, 3, 8, 0x55, 0x62, 0x16]), Service::DataExchange);
+        assert_eq!(service(&[0x10, 2, 3, 0, 5, 0x16]), Service::Link);
         assert!(Service::ALL.iter().all(|service| service.sap().map(Service::of_sap) == Some(*service)));
     }
 }

@@ -124,6 +124,27 @@ mod tests {
         assert_eq!(decode(b":01FF\r\n"), Err(FrameError::TooShort { len: 7 }));
     }
 
+    /// A second is the longest pause (V1.02 2.5.2.1), and 513 characters are the longest frame.
+    #[test]
+    fn a_frame_ends_by_a_pause_and_by_its_length() {
+        let pause = |span: Span| {
+            let mut receiver = Receiver::default();
+            let at = Tick::from_micros(5);
+            receiver.feed(at, b':');
+            receiver.feed(at + span, b'0');
+            receiver.pending().len()
+        };
+        assert_eq!([MAX_PAUSE, MAX_PAUSE + Span::from_micros(1)].map(pause), [2, 0]);
+        let mut receiver = Receiver::default();
+        let mut feed = |byte| {
+            receiver.feed(Tick::ZERO, byte);
+            (receiver.pending().len(), receiver.dropped())
+        };
+        assert_eq!([feed(b'x'), feed(b':'), feed(b'0')], [(0, 1), (1, 1), (2, 1)]);
+        let longest = (2..MAX_FRAME).map(|_| feed(b'0')).last();
+        assert_eq!((longest, feed(b'0')), (Some((MAX_FRAME, 1)), (0, 2 + MAX_FRAME as u64)));
+    }
+
     #[test]
     fn noise_before_the_colon_is_dropped() {
         let mut receiver = Receiver::default();

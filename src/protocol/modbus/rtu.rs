@@ -113,4 +113,25 @@ mod tests {
         assert_eq!(burst, Burst { bytes: vec![1, 2, 3, 4], broken: true });
         assert_eq!(receiver.ends(), None);
     }
+
+    /// 1.5 characters break nothing yet; one byte more than a frame may have tells that it is none.
+    #[test]
+    fn a_frame_is_broken_by_more_than_a_pause_and_told_as_too_long() {
+        let line = LineSetting::rtu(19_200, Parity::Even);
+        let pause = |span: Span| {
+            let mut receiver = Receiver::new(line);
+            let at = Tick::from_micros(10_000);
+            receiver.feed(at, 1);
+            receiver.feed(at + span + line.chars(1), 2);
+            receiver.idle(at + Span::from_secs(1)).unwrap().broken
+        };
+        assert_eq!([line.t15(), line.t15() + Span::from_micros(1)].map(pause), [false, true]);
+        let mut receiver = Receiver::new(line);
+        let mut at = Tick::from_micros(10_000);
+        for _ in 0..MAX_FRAME + 9 {
+            at += line.chars(1);
+            receiver.feed(at, 0);
+        }
+        assert_eq!(receiver.idle(at + line.t35()).unwrap().bytes.len(), MAX_FRAME + 1);
+    }
 }
