@@ -134,10 +134,11 @@ impl Finder<'_> {
         };
         let open = self.at(block.brace_token.span.open().end());
         let stands = match &block.stmts[..] {
-            [only] => self.source(only).to_owned(),
-            _ => String::new(),
+            [only] => Some(self.source(only).to_owned()),
+            _ => None,
         };
-        for plain in plain(&given).into_iter().filter(|plain| !block.stmts.is_empty() && *plain != stands) {
+        for plain in plain(&given).into_iter().filter(|plain| !block.stmts.is_empty() && stands.as_ref() != Some(plain))
+        {
             let (was, becomes) = (format!("{}()", signature.ident), format!("{{ {plain} }}"));
             self.add(signature.span().start().line, (open, open), [&was, &becomes], Change::Return(plain));
         }

@@ -175,6 +175,20 @@ fn who_interrupts_a_run_is_told_what_happens_and_what_another_interrupt_does() {
     }
 }
 
+/// A servo works on in its ramp, as it should: who does not wait for that is told so, without an alarm.
+#[test]
+fn who_interrupts_a_ramp_that_is_obeyed_is_not_alarmed() {
+    const GIVEN: &str = "01 10 1B 1A 00 02 04 00 00 02 58";
+    const ZERO: &str = "01 10 1B 1A 00 02 04 00 00 00 00";
+    let bench = servo("RAMPacc = 3000, RAMPdecel = 100, RAMPn_max = 3000", "");
+    let came = held_of("lxm05", &bench, &[GIVEN, ZERO], StopChoice::Ramp, Span::ZERO, async |motor| {
+        servo_at(motor, 600, Some(Span::from_secs(10))).await
+    });
+    let told = |text: &str| came.told.iter().filter(|note| note.contains(text)).count();
+    assert_eq!(told("interrupted again: quick-stop in place of ramp"), 1, "{:?}", came.told);
+    assert_eq!(told("MAY STILL TURN"), 0, "{:?}", came.told);
+}
+
 /// Contacts ran it; then a data set was selected in which it obeys the control word: the stop goes by that.
 #[test]
 fn a_drive_that_takes_the_control_word_in_the_run_is_stopped_by_it() {

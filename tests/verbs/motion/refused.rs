@@ -110,4 +110,5 @@ fn a_zero_does_not_wait_for_a_setpoint_that_the_drive_does_not_have() {
     let run = antrieb("-v --drive acu -a 1 sollwert 0").on("[[drive]]\nmodel = \"lxm05\"\n").run();
     let said = when(&run.err, "01 65 01 E4");
     assert!(said < 100.0, "{said}: {}", run.err);
+    assert_eq!(run.err.matches("read P.228").count(), 3, "who refuses it three times has none: {}", run.err);
 }

@@ -159,9 +159,13 @@ fn a_drive_that_restarts_in_a_run_is_told_as_one_that_did() {
     let line = "-b 115200 -a 1 --yes sollwert 10Hz --enable --hold --duration 9s --source line";
     let set = "\"412\" = 1, \"434\" = 3, \"418\" = 0";
     let restarts = "[[drive.event]]\nat = \"2s\"\npower_cycle = true\n";
-    let run = antrieb(line).on(&drive(set, restarts)).json();
     let told = |run: &crate::run::Document| run.data("/notes").to_string().contains("P.434@1ram is 3 again");
-    assert!(run.exit != 0 && told(&run), "{:#} {}", run.value, run.err);
+    // Also where its stop is acknowledged, because it has no power any more.
+    for exit in ["ramp", "quick-stop", "coast"] {
+        let run = antrieb(&format!("{line} --on-exit {exit}")).on(&drive(set, restarts)).json();
+        assert!(run.exit != 0 && told(&run), "{exit}: {:#} {}", run.value, run.err);
+        println!("{exit} {}", run.data("/stop/acknowledged"));
+    }
     // A trip leaves the RAM as it is.
     let trip = antrieb(line).on(&drive(set, "[[drive.event]]\nat = \"2s\"\nfault = \"F0500\"\n")).json();
     assert!(trip.exit != 0 && !told(&trip), "{:#} {}", trip.value, trip.err);
