@@ -178,6 +178,14 @@ mod tests {
     }
 
     #[test]
+    fn a_contradiction_is_remembered_of_the_station_that_gave_it() {
+        let mut twins = Twins::default();
+        assert!(!twins.is_contradicted(AT));
+        twins.contradicts(AT);
+        assert_eq!([AT, 2].map(|station| twins.is_contradicted(station)), [true, false]);
+    }
+
+    #[test]
     fn what_answers_everything_twice_in_the_same_words_is_told_the_second_time() {
         let mut twins = Twins::default();
         twins.suspects(AT);

@@ -210,6 +210,11 @@ fn an_answer_of_sdo_is_found_among_others() {
         assert_eq!(SDO.question(&request.encode()), asked, "{channel:?}");
     }
     assert_eq!(SDO.question(&answer), None);
+    assert!(SDO.names_its_question());
+    let queues = [SDO, dialect(Framing::Rtu), vabus()].map(|dialect| dialect.queues());
+    assert_eq!(queues, [true, false, false], "an adapter of CAN keeps frames until the bus takes them");
+    let numbered = [Framing::Rtu, Framing::Ascii, Framing::Tcp].map(|framing| dialect(framing).is_numbered());
+    assert_eq!(numbered, [false, false, true]);
 }
 
 /// Frames come whole; what is left of one when the bus is silent is told as it is.

@@ -54,7 +54,7 @@ pub fn identifiers(mut bytes: &[u8]) -> Vec<Identifier> {
         let (own, rest) = bytes.split_at_checked(length).unwrap_or((bytes, &[]));
         let (inputs, outputs) = match own {
             own if own.len() < length => (None, None),
-            &[header] if length == 1 => {
+            &[header] => {
                 let extent = Extent::of(header, 0x0F);
                 ((header & INPUT != 0).then_some(extent), (header & OUTPUT != 0).then_some(extent))
             }

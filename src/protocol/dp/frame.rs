@@ -284,6 +284,17 @@ mod tests {
         )
     }
 
+    /// Eight bytes may be framed either way, and it is told which.
+    #[test]
+    fn what_is_framed_as_sd3_is_known_as_that() {
+        for is_fixed in [true, false] {
+            let control = Control::decode(8).unwrap();
+            let frame = Frame { to: 3, from: 0, control, dsap: None, ssap: None, data: vec![7; FIXED], is_fixed };
+            let bytes = Telegram::Frame(frame.clone()).encode();
+            assert_eq!((bytes[0] == SD3, Telegram::decode(&bytes)), (is_fixed, Ok(Telegram::Frame(frame))));
+        }
+    }
+
     proptest! {
         #[test]
         fn every_frame_comes_back_as_it_was(frame in frames()) {

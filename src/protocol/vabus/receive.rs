@@ -126,6 +126,27 @@ mod tests {
     use super::*;
     use crate::protocol::vabus::{Address, Data, DataSet, Header, NAK, ParamNumber, SystemNode};
 
+    /// A telegram alone is read as a whole: what follows it is told by its length.
+    #[test]
+    fn bytes_behind_a_telegram_are_told() {
+        let longer = |bytes: Vec<u8>| [bytes, vec![0; 3]].concat();
+        let extra = TelegramError::TooLong { extra: 3 };
+        assert_eq!(Request::decode(&longer(enquiry().encode())), Err(extra.clone()));
+        assert_eq!(Reply::decode(&longer(value().encode())), Err(extra));
+    }
+
+    /// Noise is handed on as soon as there is as much of it as the longest telegram has.
+    #[test]
+    fn noise_is_told_in_pieces_of_a_telegram() {
+        let mut receiver = Receiver::default();
+        let told = receiver.feed(&[0x80; 2 * MAX_TELEGRAM]);
+        let lengths = told.iter().map(|heard| match heard {
+            Heard::Noise(bytes, _) => bytes.len(),
+            other => panic!("{other:?}"),
+        });
+        assert_eq!(lengths.collect::<Vec<_>>(), [MAX_TELEGRAM]);
+    }
+
     fn header(set: u8, number: u16) -> Header {
         let (set, number) = (DataSet::new(set).unwrap(), ParamNumber::new(number).unwrap());
         Header { node: SystemNode::SELF, set, number }

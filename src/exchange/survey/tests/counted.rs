@@ -191,6 +191,43 @@ fn a_station_is_garbled_that_was_so_three_times_or_right_behind_the_only_questio
     }
 }
 
+/// Who is left: who was not asked yet, and who is asked again.
+#[test]
+fn what_is_pending_and_what_is_settled_is_told() {
+    let settled = |survey: &Survey| survey.settled(Tick::ZERO + Span::from_secs(60)).collect::<Vec<_>>();
+    let mut survey = with(brief(), 0, Span::ZERO);
+    assert_eq!((survey.pending(), settled(&survey)), (2, vec![]), "in the queue, and suspected");
+    survey.queue.clear();
+    assert_eq!((survey.pending(), settled(&survey)), (1, vec![]), "suspected alone");
+    (survey.round.asked, survey.round.garbage) = (8, 8);
+    assert_eq!(survey.pending(), 0, "nobody is asked again for garbage that is the line's own");
+    survey.suspects.clear();
+    assert_eq!((survey.pending(), settled(&survey)), (0, vec![1]));
+    survey.queue.push_back(1);
+    assert_eq!((survey.pending(), settled(&survey)), (1, vec![]), "in the queue alone");
+    assert_eq!(with(brief().once(), 0, Span::ZERO).pending(), 1, "nobody is asked again");
+    assert!(!survey.is_occupied());
+    survey.occupied = true;
+    assert!(survey.is_occupied());
+}
+
+/// A single suspect has all the time that a reply may take; of several, less in the first rounds. By the book a telegram may straggle.
+#[test]
+fn one_alone_is_waited_for_by_the_book() {
+    let mut one = with(brief(), 0, Span::ZERO);
+    let brief_straggle = one.straggle();
+    assert!(one.next_round() && one.round.window == FULL);
+    assert_eq!(one.straggle(), one.dialect.straggle(&[]));
+    assert!(brief_straggle > LINE.chars(2) && brief_straggle < one.straggle(), "{brief_straggle}");
+    assert_eq!(brief_straggle, ADAPTER + LINE.chars(2));
+    let mut two = survey([1, 2], brief());
+    for station in [1, 2] {
+        two.stations.insert(station, Attendance { asked: 1, garbled: 0, ..Attendance::default() });
+        two.suspects.insert(station, Span::ZERO);
+    }
+    assert!(two.next_round() && two.round.window == brief().second_window());
+}
+
 #[test]
 fn rounds_end_at_a_number_and_garbage_is_the_lines_where_nobody_is_asked_again_as_well() {
     for (number, goes_on) in [(15, true), (16, false)] {

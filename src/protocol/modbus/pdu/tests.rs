@@ -63,6 +63,13 @@ fn a_long_that_was_written_is_echoed_with_its_address() {
     }
 }
 
+/// What is missing of words is told in bytes.
+#[test]
+fn a_telegram_of_words_says_how_long_it_should_be() {
+    let refused = Request::decode(&[3, 0, 1, 0]);
+    assert_eq!(refused, Err(PduError::Length { function: 3, len: 3, expected: 4 }));
+}
+
 /// What is missing of an identification is told in bytes.
 #[test]
 fn an_identification_that_is_cut_off_says_how_long_it_should_be() {
