@@ -165,6 +165,26 @@ fn another_mode_in_the_run_ends_it_whoever_set_it() {
     }
 }
 
+/// Somebody else selects another mode just as a run comes to its end: its ramp is that of the other mode, and that is told.
+#[test]
+fn a_mode_that_was_left_just_before_the_end_is_told() {
+    let line = "-v -a 1 --yes sollwert 300rpm --enable --hold --duration 1s";
+    let bench = |event: &str| servo("IOposInterfac = 1, RAMPacc = 3000, RAMPdecel = 3000", event);
+    let calm = antrieb(line).on(&bench("")).exits(0).sent();
+    let given = calm.iter().rposition(|hex| hex.starts_with("01 10 1B 1A 00 02 04 00 00 01 2C")).unwrap();
+    let zero =
+        given + calm[given..].iter().position(|hex| hex.starts_with("01 10 1B 1A 00 02 04 00 00 00 00")).unwrap();
+    let mut told = 0;
+    for after in zero - 4..zero + 2 {
+        let event = format!("[[drive.event]]\nafter_telegrams = {after}\nset = {{ DCOMopmode = 1 }}\n");
+        let run = antrieb(line).on(&bench(&event)).json();
+        let is_told = run.err.contains("the drive had left the mode 'Velocity profile': it was stopped in the mode");
+        assert_eq!(left(), (0, 0), "{after}: {:#} {}", run.value, run.err);
+        told += usize::from(is_told);
+    }
+    assert!(told > 0);
+}
+
 #[test]
 fn a_servo_that_loses_its_power_during_the_ramp_is_not_said_to_have_ramped() {
     let bench = |after: usize| {

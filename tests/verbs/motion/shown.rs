@@ -130,6 +130,16 @@ fn on_a_slow_line_the_values_of_a_run_take_turns() {
         let (value, look) = waited(&seen);
         assert!(value < oldest && look < seldom, "{delay}: {value} {look}");
         let end = since(&seen, "stopping");
+        let all = seen.samples.iter().flat_map(|sample| &sample.values);
+        let status = all.filter(|value| value.value.param == 411).map(|value| value.value.raw);
+        assert!(
+            status.clone().count() > 5 && status.flatten().all(|raw| raw > 0),
+            "{delay}: the setpoint stands in its own column"
+        );
+        let held = seen.samples.iter().filter(|sample| (since(&seen, "held")..end).contains(&sample.t.raw));
+        let whole = held.skip_while(|sample| sample.values.len() < seen.columns.len());
+        let lacking = whole.clone().filter(|sample| sample.values.len() < seen.columns.len()).count();
+        assert!(whole.count() > 5 && lacking == 0, "{delay}: a value stays until its turn comes again, {lacking}");
         assert!(
             (18_500_000..20_300_000).contains(&(end - since(&seen, "held"))),
             "{delay}: {} {end}",
