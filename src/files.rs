@@ -18,6 +18,9 @@ pub const RECORDING: u64 = 64 << 20;
 /// How a file begins that is packed with gzip (RFC 1952, 2.3.1).
 const GZIP: [u8; 2] = [0x1F, 0x8B];
 
+/// How editors of Windows begin a text in UTF-8; it is none of the text.
+const BYTE_ORDER_MARK: [u8; 3] = [0xEF, 0xBB, 0xBF];
+
 /// So many files that earlier crashes have left are gone past.
 const MOST_LEFT_OVER: u32 = 99;
 
@@ -155,7 +158,10 @@ pub fn of_system(error: &io::Error) -> Text {
 
 /// The text of a regular file of at most `limit` bytes.
 pub fn read(path: &Path, limit: u64) -> Result<String, FileError> {
-    let bytes = read_bytes(path, limit)?;
+    let mut bytes = read_bytes(path, limit)?;
+    if bytes.starts_with(&BYTE_ORDER_MARK) {
+        bytes.drain(..BYTE_ORDER_MARK.len());
+    }
     if bytes.starts_with(&GZIP) {
         return Err(FileError::Packed);
     }

@@ -27,6 +27,8 @@ fn only_regular_files_are_read_and_only_so_far() {
     let _socket = std::os::unix::net::UnixListener::bind(at("socket")).unwrap();
     assert_eq!(read(&at("text"), 3).unwrap(), "abc");
     assert_eq!(read(&at("link"), 3).unwrap(), "abc");
+    std::fs::write(at("marked"), "\u{FEFF}abc").unwrap();
+    assert_eq!(read(&at("marked"), 6).unwrap(), "abc", "a byte order mark is none of the text");
     assert_eq!(told(read(&at("text"), 2)), "expected at most 0 MiB, the file is longer");
     let no_text = "line 1, column 3: expected a text in UTF-8; an editor can save the file so";
     assert_eq!(told(read(&at("bytes"), 3)), no_text);

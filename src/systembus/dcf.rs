@@ -129,7 +129,7 @@ impl Device {
         let mut device = Device { name: None, node: None, kbd: None, values: BTreeMap::new() };
         let mut section = String::new();
         let mut relative = Vec::new();
-        for (nth, line) in text.trim_start_matches('\u{feff}').lines().map(str::trim).enumerate() {
+        for (nth, line) in text.lines().map(str::trim).enumerate() {
             if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
                 section = name.to_ascii_lowercase();
                 continue;

@@ -95,6 +95,8 @@ pub struct TraceLine {
 pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, Text> {
     /// 2^53: so many microseconds a JSON number holds to the last one, 285 years.
     const MOST_US: u64 = 1 << 53;
+    /// So much of a line that is none is shown: it may be as long as the file.
+    const SHOWN: usize = 80;
     let mut lines = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
@@ -104,8 +106,9 @@ pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, Text> {
         let number = number + 1;
         let bad = || {
             both!(
-                "line {number}: expected MICROSECONDS > or < HEX BYTES, got '{line}'",
-                "Zeile {number}: erwartet MIKROSEKUNDEN > oder < HEX-BYTES; dort steht '{line}'"
+                "line {number}: expected MICROSECONDS > or < HEX BYTES, got '{begins}'",
+                "Zeile {number}: erwartet MIKROSEKUNDEN > oder < HEX-BYTES; dort steht '{begins}'",
+                begins = line.chars().take(SHOWN).collect::<String>()
             )
         };
         let mut words = line.split_whitespace();

@@ -69,7 +69,7 @@ pub(crate) fn of(page: &str) -> Around {
             more("tripped.bench", TRIPPED);
         }
         "docs/recording.md" => {
-            more("tests/verbs/record.csv", RECORD);
+            more("docs/examples/record.csv", RECORD);
             more("antrieb.toml", &first_toml(page));
         }
         "docs/report.md" => {
@@ -128,7 +128,7 @@ fn line_of(drives: &[(u8, &str)]) -> String {
     drives.iter().map(of).collect()
 }
 
-const RECORD: &str = include_str!("../verbs/record.csv");
+const RECORD: &str = include_str!("../../docs/examples/record.csv");
 
 /// One node that somebody may look at alone.
 const CAN: &str = "[[drive]]\nmodel = \"acu\"\naddress = 5\n";

@@ -224,7 +224,7 @@ pub(crate) const ROWS: &[Row<'static>] = &[
     Row::new("docs/feeding.md", "--textfile drives.prom --count 3 --unpaced").tells("6 samples in 3 rounds"),
     Row::new("docs/recording.md", "--record run.ndjson").tells("82 samples"),
     Row::new("docs/recording.md", "--trigger 'state -> fault' --once").tells("no trigger came true"),
-    Row::new("docs/recording.md", "plot tests/verbs/record.csv").tells("411 > 8"),
+    Row::new("docs/recording.md", "plot docs/examples/record.csv").tells("411 > 8"),
     Row::new("docs/recording.md", "--svg ramp.svg").tells("picture: ramp.svg"),
     Row::new("docs/report.md", "--record ramp.ndjson").tells("file: plant.md"),
     Row::new("docs/report.md", "--changed --lang de").tells("Datei: pump.html"),

@@ -4,7 +4,7 @@ use crate::recording::TRIPS;
 use crate::run::antrieb;
 use serde_json::{Value, json};
 
-const RECORD: &str = include_str!("record.csv");
+const RECORD: &str = include_str!("../../docs/examples/record.csv");
 /// Enabled twice for 4 s, on its way up by 5 Hz/s.
 const TWICE: &str = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
     [[drive.event]]\nat = \"2s\"\nenable = true\nfor = \"4s\"\n[[drive.event]]\nat = \"16s\"\nenable = true\nfor = \"4s\"\n";

@@ -16,7 +16,7 @@ modules = [\"EM-RES-03\"]
 at = \"0s\"
 fault = \"F0500\"
 ";
-const RECORD: &str = include_str!("record.csv");
+const RECORD: &str = include_str!("../../docs/examples/record.csv");
 /// The names in it are what a mean plant could call itself.
 const PROJECT: &str = "\
 [drives.\"<b>pump\"]

@@ -201,7 +201,7 @@ fn an_answer_of_sdo_is_found_among_others() {
     let answer = said(mine, 3, &value(0x2174));
     let others = [said(other, 3, &value(0x2174)), said(mine, 4, &value(0x2174)), said(mine, 3, &value(0x2175))];
     assert_eq!(found(&others), None);
-    assert_eq!(found(&[&others[..], &[answer.clone()]].concat()), Some((30, 40)));
+    assert_eq!(found(&[&others[..], std::slice::from_ref(&answer)].concat()), Some((30, 40)));
     assert_eq!(SDO.shortest_reply(), 10);
     let within = [&answer[..], &[&answer[..], &[3]].concat()].map(|bytes| SDO.reply_within(bytes));
     assert_eq!(within, [None, Some(0..10)]);
@@ -239,7 +239,8 @@ fn what_sdo_and_pkw_ask_is_harmless_where_it_reads_what_stays() {
     assert_eq!(blocks.each_ref().map(Question::is_write), [false, true, false, true]);
     assert_eq!(blocks.map(|question| question.function()), [1, 2, 6, 7]);
     // Over a line of another protocol it goes out as it would over its own.
-    assert_eq!(vabus().encode(3, &upload(0x2174)), SDO.encode(3, &upload(0x2174)));
+    let mut sdo = SDO;
+    assert_eq!(vabus().encode(3, &upload(0x2174)), sdo.encode(3, &upload(0x2174)));
 }
 
 /// Everybody answers who is asked for a value over Modbus, if only by a refusal; a counter need not be there.

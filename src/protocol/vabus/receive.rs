@@ -131,7 +131,7 @@ mod tests {
     fn bytes_behind_a_telegram_are_told() {
         let longer = |bytes: Vec<u8>| [bytes, vec![0; 3]].concat();
         let extra = TelegramError::TooLong { extra: 3 };
-        assert_eq!(Request::decode(&longer(enquiry().encode())), Err(extra.clone()));
+        assert_eq!(Request::decode(&longer(enquiry().encode())), Err(extra));
         assert_eq!(Reply::decode(&longer(value().encode())), Err(extra));
     }
 

@@ -162,15 +162,23 @@ fn is_open(master: &OwnedFd) -> rustix::io::Result<bool> {
 
 fn make_link(slave: &str, link: &Path) -> Result<(), ServeError> {
     let failed = |why: Text| ServeError::Link { path: link.to_owned(), why };
-    // The number of a terminal is given again: one that leads to ours was left over.
-    let lives = std::fs::read_link(link).ok().filter(|target| target.exists() && target != Path::new(slave));
-    if let Some(target) = lives {
-        let target = target.display();
-        return Err(failed(both!(
-            "it leads to {target}, which is in use; another name, or remove it if nobody serves it any more",
-            "er führt zu {target}, und das ist in Gebrauch; einen anderen Namen nehmen, oder ihn löschen, wenn ihn niemand \
-             mehr bedient"
-        )));
+    // The number of a terminal is given again: a link that leads to ours, or to a terminal that is gone, was left over.
+    let target = std::fs::read_link(link).ok().map(|target| link.with_file_name(target));
+    let is_left_over = |target: &PathBuf| target.parent() == Path::new(slave).parent() && !target.exists();
+    if let Some(target) = target.filter(|target| target != Path::new(slave) && !is_left_over(target)) {
+        let shown = target.display();
+        return Err(failed(match target.exists() {
+            true => both!(
+                "it leads to {shown}, which is in use; another name, or remove it if nobody serves it any more",
+                "er führt zu {shown}, und das ist in Gebrauch; einen anderen Namen nehmen, oder ihn löschen, wenn ihn niemand \
+                 mehr bedient"
+            ),
+            false => both!(
+                "it leads to {shown}, which is not there now; another name, or remove it if nobody needs it",
+                "er führt zu {shown}, und das gibt es gerade nicht; einen anderen Namen nehmen, oder ihn löschen, wenn ihn \
+                 niemand braucht"
+            ),
+        }));
     }
     match std::fs::symlink_metadata(link) {
         Ok(found) if !found.file_type().is_symlink() => {

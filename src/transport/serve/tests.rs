@@ -119,6 +119,24 @@ fn a_link_names_the_port_and_goes_with_it() {
     assert!(std::fs::read_link(&link).unwrap().exists(), "and the link of the first is left alone");
     drop(server);
     assert!(std::fs::symlink_metadata(&link).is_err());
+    // One that a crash has left leads to a terminal that is gone; what a user has made may lead anywhere.
+    let point = |target: &str| {
+        let _gone = std::fs::remove_file(&link);
+        std::os::unix::fs::symlink(target, &link).unwrap();
+        Server::open(Place::Pty { link: Some(link.clone()) }).map(drop).map_err(|error| error.to_string())
+    };
+    assert_eq!(point("/dev/pts/99999"), Ok(()));
+    std::fs::write(dir.path().join("beside"), "mine").unwrap();
+    for (target, why) in [
+        ("beside", "which is in use"),
+        ("nothing", "which is not there now"),
+        ("/dev/ttyNONE", "which is not there now"),
+    ] {
+        let told = point(target).unwrap_err();
+        assert!(told.contains(why), "{target}: {told}");
+        assert_eq!(std::fs::read_link(&link).unwrap(), std::path::Path::new(target));
+    }
+    std::fs::remove_file(&link).unwrap();
     std::fs::write(&link, "mine").unwrap();
     let error = Server::open(Place::Pty { link: Some(link.clone()) }).unwrap_err();
     assert!(error.to_string().ends_with("a file that is no symbolic link is in its place"), "{error}");

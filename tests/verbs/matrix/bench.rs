@@ -38,7 +38,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
         "base.toml",
         "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n30 = 210\n372 = 1440\n\"392@1\" = 2\n10 = 3\n210 = 5\n410 = 7\n",
     ),
-    ("record.csv", include_str!("../record.csv")),
+    ("record.csv", include_str!("../../../docs/examples/record.csv")),
     ("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml")),
     ("relations.toml", include_str!("../../../docs/examples/system-bus-relations.toml")),
     (

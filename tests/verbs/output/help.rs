@@ -210,7 +210,7 @@ fn every_example_works() {
             )
             .file("bench.toml", bench)
             .file("can.toml", "[[drive]]\nmodel = \"acu\"\n[[foreign]]\nframe = \"080#\"\nevery = \"100ms\"\n")
-            .file("record.csv", include_str!("../record.csv"))
+            .file("record.csv", include_str!("../../../docs/examples/record.csv"))
             .file("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml"))
             .file("list.csv", "Nr.;Name\n1500;Head\n")
             .file("pump.toml", "antrieb = 1\ndrive.family = \"act\"\nvalues.372 = 1390\n")

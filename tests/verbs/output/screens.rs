@@ -162,7 +162,7 @@ const ALONE: &[&str] = &["simulate", "schema", "completions", "man"];
 /// Files that are there besides.
 const FILES: &[(&str, &str)] = &[
     ("heard", HEARD),
-    ("record.csv", include_str!("../record.csv")),
+    ("record.csv", include_str!("../../../docs/examples/record.csv")),
     ("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml")),
     (
         "plant.toml",

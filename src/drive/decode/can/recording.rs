@@ -47,7 +47,6 @@ struct Recording {
 /// Reads a recording; `None` if it is none of CAN. One of our own that does not say what it is of is known by its bytes, or taken for one
 /// of CAN (`is_set`).
 fn lines(text: &str, is_set: bool) -> Option<Result<Recording, Text>> {
-    let text = text.trim_start_matches('\u{feff}');
     match recorded_protocol(text) {
         Some(Protocol::Sdo(_)) => return Some(read_trace(text).map(own)),
         Some(_) => return None,
