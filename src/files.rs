@@ -19,7 +19,7 @@ pub const RECORDING: u64 = 64 << 20;
 const GZIP: [u8; 2] = [0x1F, 0x8B];
 
 /// How editors of Windows begin a text in UTF-8; it is none of the text.
-const BYTE_ORDER_MARK: [u8; 3] = [0xEF, 0xBB, 0xBF];
+pub const BYTE_ORDER_MARK: [u8; 3] = [0xEF, 0xBB, 0xBF];
 
 /// So many files that earlier crashes have left are gone past.
 const MOST_LEFT_OVER: u32 = 99;

@@ -16,7 +16,8 @@ pub fn described(path: &Path) -> Result<Gsd, Failure> {
     let shown = path.display();
     let bad = |why: Text| Failure::new(Class::Data, "data.gsd", why);
     let bytes = files::read_bytes(path, files::TEXT).map_err(|error| bad(error.of(path)))?;
-    let text: String = bytes.into_iter().map(char::from).collect();
+    let bytes = bytes.strip_prefix(&files::BYTE_ORDER_MARK).unwrap_or(&bytes);
+    let text: String = bytes.iter().copied().map(char::from).collect();
     Gsd::parse(&text).map_err(|Broken { line, text }| match line {
         0 => bad(both!("{shown}: this is no GSD: {text} is missing", "{shown}: das ist keine GSD: {text} fehlt")),
         _ => bad(both!("{shown}:{line}: '{text}' makes no sense", "{shown}:{line}: '{text}' ergibt keinen Sinn")),

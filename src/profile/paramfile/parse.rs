@@ -5,7 +5,6 @@ use super::file::{At, Head, Line, NotHeld, ParamFile, Provenance, SavedDrive, Un
 use super::ranges::numbers;
 use super::signature::Signature;
 use crate::profile::broken::stumbled;
-use crate::profile::names::place;
 use crate::profile::param::Type;
 use crate::profile::select::Store;
 use crate::text::{Lang, Text, both};
@@ -175,7 +174,8 @@ impl ParamFile {
     /// # Errors
     /// It is no TOML, not of this format, or of a newer one; with the line and column.
     pub fn parse(path: &str, text: &str) -> Result<Self, FileFault> {
-        let source = Source { path: path.into(), text };
+        let begins = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        let source = Source { path: path.into(), text, begins };
         source.check_version()?;
         let whole: Whole = toml::from_str(text).map_err(|error| source.toml(&error))?;
         let Whole { drive, saved, not_held, types, values, undo, .. } = whole;
@@ -204,11 +204,15 @@ impl ParamFile {
 struct Source<'t> {
     path: Rc<str>,
     text: &'t str,
+    /// Where each line begins.
+    begins: Vec<usize>,
 }
 
 impl Source<'_> {
     fn at(&self, byte: usize) -> At {
-        let (line, column) = place(self.text, byte);
+        let line = self.begins.partition_point(|begin| *begin <= byte);
+        let begin = self.begins.get(line.saturating_sub(1)).copied().unwrap_or(0);
+        let column = self.text.get(begin..byte).map_or(1, |before| before.chars().count() + 1);
         At { path: self.path.clone(), line, column }
     }
 

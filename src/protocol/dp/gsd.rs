@@ -42,6 +42,8 @@ pub struct Broken {
 /// User parameters of one Set_Prm (IEC 61158-6-3).
 const MOST_USER: usize = 237;
 const HEADER: &str = "#Profibus_DP";
+/// So much of a line that makes no sense is shown.
+const SHOWN: usize = 80;
 
 /// A value that is put among the user parameters: how many bits from which, and which value.
 #[derive(Clone, Copy, Debug)]
@@ -74,11 +76,12 @@ impl Gsd {
         }
         while let Some((at, line)) = lines.next() {
             let mut whole = line.to_owned();
-            while let Some(begun) = whole.strip_suffix('\\') {
-                let next = lines.next().map_or("", |(_, line)| line);
-                whole = format!("{}{next}", begun.trim_end());
+            while whole.ends_with('\\') {
+                whole.pop();
+                whole.truncate(whole.trim_end().len());
+                whole.push_str(lines.next().map_or("", |(_, line)| line));
             }
-            reader.line(&whole).ok_or(Broken { line: at, text: whole })?;
+            reader.line(&whole).ok_or_else(|| Broken { line: at, text: whole.chars().take(SHOWN).collect() })?;
         }
         let Reader { mut gsd, old, .. } = reader;
         if gsd.ident == 0 {

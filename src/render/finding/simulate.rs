@@ -4,6 +4,15 @@ use super::page::Page;
 use super::{Finding, Rows};
 use crate::outcome::Simulate;
 use crate::profile::Lang;
+use std::collections::BTreeMap;
+
+/// So many remarks of a kind are shown one by one: a scan that is not by the book brings one for each empty address.
+const SHOWN: usize = 3;
+
+/// What is remarked, which stands behind it in brackets.
+fn kind(told: &str) -> &str {
+    told.rsplit_once('(').map_or(told, |(_, kind)| kind.trim_end_matches(')'))
+}
 
 impl Finding for Simulate {
     fn table(&self, page: Page) -> String {
@@ -21,7 +30,18 @@ impl Finding for Simulate {
             ),
         };
         let remark = page.lang.pick("remark", "Anmerkung");
-        self.remarks.iter().for_each(|told| text += &page.prose(&format!("{remark}: {told}")));
+        let mut seen = BTreeMap::<&str, usize>::new();
+        for told in &self.remarks {
+            let count = seen.entry(kind(told)).or_default();
+            *count += 1;
+            if *count <= SHOWN {
+                text += &page.prose(&format!("{remark}: {told}"));
+            }
+        }
+        let more = page.lang.pick("more of", "weitere der Art");
+        for (kind, count) in seen.into_iter().filter(|(_, count)| *count > SHOWN) {
+            text += &page.prose(&format!("{remark}: {} {more} ({kind})", count - SHOWN));
+        }
         text
     }
 
