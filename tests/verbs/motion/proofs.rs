@@ -43,6 +43,8 @@ fn a_shaft_that_loses_its_power_between_the_last_looks_is_seen_to_coast() {
     let line = "-v -b 115200 -a 1 --yes sollwert 20Hz --enable --until reached --hold --duration 50ms --on-exit keep";
     let ramps = "ramps = { up_right = 50, down_right = 20, up_left = 50, down_left = 20 }";
     let sent = antrieb(line).on(&drive(READY, ramps)).exits(0).sent();
+    let kept = antrieb(line).on(&drive(READY, ramps)).json();
+    assert_eq!(kept.data("/stop/note"), &json!("the drive keeps running, as asked for"), "{:#}", kept.value);
     let held = sent.iter().rposition(|hex| hex.starts_with(REFRESH)).unwrap();
     for after in held + 2..sent.len() {
         let lost = format!("{ramps}\n[[drive.event]]\nafter_telegrams = {after}\nenable = false");
