@@ -79,6 +79,20 @@ mod tests {
         }
     }
 
+    /// Data may have the bytes of a telegram: they are none as long as that around them may still come.
+    #[test]
+    fn a_telegram_inside_another_is_none() {
+        let inner = [&[0x88, 0x82, 0x6D, 0x3C, 0x3E][..], &STATUS].concat();
+        let check = inner.iter().fold(0_u8, |sum, byte| sum.wrapping_add(*byte));
+        let length = inner.len() as u8;
+        let whole = [&[0x68, length, length, 0x68][..], &inner, &[check, 0x16]].concat();
+        for step in 1..=whole.len() {
+            let mut cut = Telegrams::default();
+            let pieces: Vec<_> = whole.chunks(step).flat_map(|chunk| cut.feed(chunk)).collect();
+            assert_eq!(pieces, std::slice::from_ref(&whole), "{step}");
+        }
+    }
+
     #[test]
     fn noise_is_given_up() {
         let mut cut = Telegrams::default();

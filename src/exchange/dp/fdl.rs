@@ -379,9 +379,7 @@ impl Fdl {
             self.beside = self.beside.or(self.stranger);
             return None;
         };
-        let is_echo = bytes == open.bytes;
         let (verdict, result) = match telegram {
-            _ if is_echo => (Verdict::Echo, None),
             Telegram::Ack if open.asked.takes_ack() => (Verdict::Reply, Some(Ok(Reply::Ack))),
             Telegram::Ack => (Verdict::Garbage, None),
             Telegram::Token { from, .. } => {

@@ -47,6 +47,19 @@ fn what_a_slave_complains_of_behind_its_parameters_ends_the_way() {
     }
 }
 
+/// What is no acknowledgement says that it is not ready for its parameters: its diagnosis tells more than its configuration would.
+#[test]
+fn parameters_that_are_not_acknowledged_are_looked_into() {
+    for (reply, next) in [(Reply::Ack, Service::ChkCfg), (frame(Status::NoResource, Vec::new()), Service::SlaveDiag)] {
+        let mut station = Station::new(3, SETUP, vec![0; 2], Tick::ZERO);
+        assert_eq!(diagnosed(&mut station, Tick::ZERO, [0, FIXED | PRM_REQ, 0]), Ok(Cycle::Prepared));
+        assert_eq!(asks(&mut station), Service::SetPrm);
+        assert!(!station.is_leaving(), "it is on its way");
+        assert_eq!(station.answered(Tick::ZERO, Ok(reply.clone())), Ok(Cycle::Prepared));
+        assert_eq!(asks(&mut station), next, "{reply:?}");
+    }
+}
+
 #[test]
 fn a_slave_that_is_ready_exchanges_data() {
     let mut station = told();
