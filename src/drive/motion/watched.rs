@@ -268,16 +268,17 @@ impl Motor<'_, '_> {
         let Some(shown) = &mut self.watched else { return };
         let runs = !matches!(shown.news.phase, "stopping" | "ended");
         let setpoint = self.setpoint.as_ref().filter(|_| runs);
-        shown.news.setpoint = setpoint.map(|setpoint| setpoint.value);
+        let given = setpoint.map(|setpoint| setpoint.value);
+        let is_new = std::mem::replace(&mut shown.news.setpoint, given) != given;
         shown.news.unit = setpoint.map(|setpoint| setpoint.unit.clone()).filter(|unit| !unit.is_empty());
         shown.changes(self.session);
         // Of a drive that answers slowly every value is asked for more seldom.
         let stale = STALE.longer(shown.cost.times(8 * shown.rows.len() as u64));
         let oldest = seconds(now.since(shown.begun + stale)).raw;
-        // What was given is what stands, where there was no time to ask for it.
+        // What was just given is what stands, also where there was no time to ask for it.
         if let Some(setpoint) = setpoint
             && let Some(row) = shown.rows.iter_mut().find(|row| row.param.id == setpoint.param)
-            && row.value.as_ref().is_none_or(|value| value.t.raw < oldest)
+            && (is_new || row.value.as_ref().is_none_or(|value| value.t.raw < oldest))
         {
             row.value = Some(row.told(now.since(shown.begun), self.target, setpoint.value.raw));
         }

@@ -148,6 +148,20 @@ fn on_a_slow_line_the_values_of_a_run_take_turns() {
     }
 }
 
+/// What was given is what stands, where there was no time to ask for it yet.
+#[test]
+fn the_setpoint_of_a_slow_servo_is_shown_before_its_turn_comes() {
+    let (model, keys, line) = DRIVES[2];
+    let keys = format!("{keys}\nreply_delay = \"300ms\"");
+    let seen = run((model, &keys, line), "--view --duration 4s", &mut |_, _, _| {});
+    let held =
+        seen.samples.iter().filter(|sample| (since(&seen, "held")..since(&seen, "stopping")).contains(&sample.t.raw));
+    let told = held
+        .map(|sample| sample.values.iter().find(|value| value.value.param == 6_938).and_then(|value| value.value.raw));
+    let told: Vec<_> = told.collect();
+    assert!(told.len() > 3 && told.iter().all(|raw| *raw == Some(300)), "{told:?}");
+}
+
 /// What a drive refuses to tell is not asked again, and the state is not asked by the view at all.
 #[test]
 fn a_value_that_was_refused_is_left_out_of_the_view() {

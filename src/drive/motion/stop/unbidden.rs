@@ -99,7 +99,7 @@ impl Motor<'_, '_> {
 
     /// A setpoint of 0 stops nothing in another mode than its own, which somebody else may have chosen meanwhile.
     pub(in super::super) async fn mind_mode(&mut self) -> Result<(), Failure> {
-        let mode = self.mode.as_ref().filter(|mode| self.stopping && self.entered && mode.zero_stops());
+        let mode = self.mode.as_ref().filter(|mode| self.entered && mode.zero_stops());
         let Some(value) = mode.and_then(|mode| mode.value) else { return Ok(()) };
         let is_zero = self.again.as_ref().is_some_and(|(param, raw)| *raw == 0 && Some(param.id) == self.zeroes);
         if !is_zero || self.mode_shown().await.0.is_none_or(|told| told == value) {
