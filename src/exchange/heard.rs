@@ -183,9 +183,10 @@ impl Heard {
         *alike = alike.saturating_add(1);
     }
 
-    /// Whether words of a moment ago may be a copy, although none of this station has come yet.
-    fn may_copy(&self, station: u8) -> bool {
-        self.rough && self.alike.get(&station).is_none_or(|&alike| alike < ALIKE)
+    /// Whether words of a moment ago may be a copy, although none of this station has come yet: where something went wrong before, or they
+    /// come sooner than any answer.
+    fn may_copy(&self, station: u8, soon: bool) -> bool {
+        (self.rough || soon) && self.alike.get(&station).is_none_or(|&alike| alike < ALIKE)
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -220,7 +221,7 @@ impl Heard {
             (false, true) if other && surplus => Weight::Copy(slowest),
             (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
-            (false, false) if other && sample.again && self.may_copy(sample.station) => Weight::Again,
+            (false, false) if other && sample.again && self.may_copy(sample.station, soon) => Weight::Again,
             (true, _) if late && sample.again && sample.confused => Weight::Again,
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
@@ -313,6 +314,9 @@ mod tests {
         heard.note(at(1_000), &BYTES, Some(&asked));
         let weigh = |heard: &Heard, asked| heard.weigh(&sample(asked, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard, &other), Weight::Answer, "nothing is wrong with this line");
+        let soon = |heard: &Heard, asked| heard.weigh(&sample(asked, &BYTES, 1_100, 5_000), false);
+        assert_eq!(soon(&heard, &other), Weight::Again, "sooner than ever it may be the first copy of all");
+        assert!(matches!(soon(&heard, &asked), Weight::Wait(_)));
         heard.sees_trouble();
         assert_eq!(weigh(&heard, &other), Weight::Again);
         assert_eq!(weigh(&heard, &asked), Weight::Answer, "the same of the same");

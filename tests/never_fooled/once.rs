@@ -8,7 +8,7 @@ const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
 const ASCII: Protocol = Protocol::Modbus(Framing::Ascii);
 
 /// Protocol, manner, seed.
-const FOOLED: [(Protocol, &str, u64); 7] = [
+const FOOLED: [(Protocol, &str, u64); 8] = [
     // An answer that was kept back paid what the station owed another master, who had not asked yet.
     (RTU, "another master alone", 7_000_315),
     (ASCII, "another master, same stations", 7_000_344),
@@ -18,6 +18,8 @@ const FOOLED: [(Protocol, &str, u64); 7] = [
     (ASCII, "gateway", 7_000_309),
     // The first copy of all, sooner than ever, and of the true answer only its beginning in time: the adapter held the rest back.
     (RTU, "faults", 1_004_003_012),
+    // The first copy of all, sooner than ever, and the true answer was lost.
+    (RTU, "faults", 1_000_003_030),
     // Another master's question met ours and was answered, twice the same.
     (ASCII, "another master, same stations", 7_000_233),
 ];
