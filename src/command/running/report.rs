@@ -38,21 +38,19 @@ pub(super) async fn aftermath(
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
-    if let Some(stop) = ended.stop.as_mut().filter(|stop| stop.standing == Some(true) && standing == Some(false)) {
-        (stop.acknowledged, stop.standing) = (false, standing);
-    }
+    let mut is_undone = standing == Some(false) && ended.stop.as_ref().is_some_and(|stop| stop.standing == Some(true));
     let is_relieved = plan.aim.is_some_and(|aim| aim != Relief::Zero) && (!is_on || ended.result.is_ok());
     let is_late = ended.stop.is_some() && motor.waits_for_what_is_owed().await;
     if (is_late || standing != Some(true) || is_on)
         && (is_relieved || ended.stop.as_ref().is_some_and(verdict::is_off))
         && let Some(seen) = after.as_mut()
     {
-        let is_said = motor.look_again(seen).await;
-        if let Some(stop) = ended.stop.as_mut().filter(|_| is_said) {
-            // What it had come to is over, and nobody has seen what comes of this one.
-            standing = standing.filter(|stands| !stands);
-            (stop.acknowledged, stop.standing) = (false, standing);
-        }
+        is_undone |= motor.look_again(seen).await;
+    }
+    if let Some(stop) = ended.stop.as_mut().filter(|_| is_undone) {
+        // What it had come to is over; of one that was said again nobody has seen what comes of it.
+        standing = standing.filter(|stands| !stands);
+        (stop.acknowledged, stop.standing) = (false, standing);
     }
     let unseen = match plan.aim {
         Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),

@@ -15,8 +15,8 @@ use crate::text::both;
 use crate::tick::{Span, Tick};
 use std::rc::Rc;
 
-/// How long each question for a ramp, or for what a setpoint of zero does, is asked: for as long as a drive may take to answer (CM-485 manual 6.8), and once more, if that
-/// was lost, of a drive that answers at once.
+/// How long each question for a ramp, or for what a setpoint of zero does, is asked: for as long as a drive may take to answer (CM-485
+/// manual 6.8), and once more, if that was lost, of a drive that answers at once.
 pub(super) const TO_TELL: Span = Span::from_millis(560);
 
 /// Whether something must be asked before the first word of this family.

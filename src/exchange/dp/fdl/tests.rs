@@ -211,11 +211,7 @@ fn what_answers_took_is_summed_up() {
     let mut fdl = Fdl::new(5, LINE, Timing::of(LINE), Tick::ZERO);
     assert_eq!(fdl.address(), 5);
     let mut now = Tick::ZERO;
-    let answer = {
-        let control = Control::Reply { station: Station::Slave, status: Status::DataLow };
-        let (dsap, ssap, data) = (Some(62), Some(60), vec![0; 6]);
-        Telegram::Frame(Frame { to: 5, from: 3, control, dsap, ssap, data, is_fixed: false }).encode()
-    };
+    let answer = frame(5, 3, Control::Reply { station: Station::Slave, status: Status::DataLow });
     let mut waited = 0;
     for late in [10, 20] {
         fdl.ask(3, diag(), Some(1), now);
