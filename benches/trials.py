@@ -296,7 +296,7 @@ def full_read(setting):
         values, elapsed = document(our(line.port, setting, "read", *everything()))
     rows = [row for row in values["data"]["values"] if row["raw"] is not None]
     result = {OURS: full_row(len(rows), elapsed)}
-    narrow = [register(row["param"], row["data_set"]) for row in rows if row["type"] != "long"]
+    narrow = [register(row["param"], row["data_set"]) for row in rows if row["data_type"] != "long"]
     for master in speaking(setting):
         with bus(setting.drive(1)) as line:
             line.rest()

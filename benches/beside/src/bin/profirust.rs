@@ -1,8 +1,11 @@
 //! profirust as its examples show it, with one SJ2-PB (PPO1): `profirust PORT BAUD ADDRESS IDENT SECONDS`. Prints the cycles of data exchange
 //! a second. The pauses between two polls are those that its documentation recommends for adapters, or with SPIN set the shortest.
+//! Its own access to a serial port wants the low latency of a UART, which a pseudo terminal refuses; so it gets a port of ours.
 
 use profirust::{Baudrate, dp, fdl, phy, time};
+use serialport::{Parity, SerialPort, TTYPort};
 use std::error::Error;
+use std::io::{Read, Write};
 use std::time::{Duration, Instant};
 
 const MASTER: u8 = 2;
@@ -10,6 +13,40 @@ const MASTER: u8 = 2;
 const PATIENCE: Duration = Duration::from_secs(20);
 /// OFF1 behind an empty parameter channel: the motor stays off.
 const OUTPUTS: [u8; 12] = [0, 0, 0, 0, 0, 0, 0, 0, 0x04, 0x7E, 0, 0];
+
+struct Line {
+    port: TTYPort,
+    received: Vec<u8>,
+}
+
+impl phy::ProfibusPhy for Line {
+    fn poll_transmission(&mut self, _: time::Instant) -> bool {
+        self.port.bytes_to_write().is_ok_and(|left| left > 0)
+    }
+
+    fn transmit_data<F, R>(&mut self, _: time::Instant, f: F) -> R
+    where
+        F: FnOnce(&mut [u8]) -> (usize, R),
+    {
+        let mut telegram = [0; 256];
+        let (length, result) = f(&mut telegram);
+        self.port.write_all(&telegram[..length]).expect("the line takes what is sent");
+        result
+    }
+
+    fn receive_data<F, R>(&mut self, _: time::Instant, f: F) -> R
+    where
+        F: FnOnce(&[u8]) -> (usize, R),
+    {
+        let came = self.port.bytes_to_read().expect("the line is there") as usize;
+        let held = self.received.len();
+        self.received.resize(held + came, 0);
+        self.port.read_exact(&mut self.received[held..]).expect("what has come can be read");
+        let (taken, result) = f(&self.received);
+        self.received.drain(..taken);
+        result
+    }
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -43,7 +80,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         .watchdog_timeout(time::Duration::from_secs(1))
         .build_verified(&master);
     let mut station = fdl::FdlActiveStation::new(parameters);
-    let mut line = phy::SerialPortPhy::new(port.clone(), station.parameters().baudrate);
+    let speed = u32::try_from(station.parameters().baudrate.to_rate())?;
+    let port = serialport::new(port, speed).parity(Parity::Even).open_native()?;
+    let mut line = Line { port, received: Vec::new() };
     station.set_online();
     master.enter_operate();
 
