@@ -8,7 +8,7 @@ const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
 const ASCII: Protocol = Protocol::Modbus(Framing::Ascii);
 
 /// Protocol, manner, seed.
-const FOOLED: [(Protocol, &str, u64); 8] = [
+const FOOLED: [(Protocol, &str, u64); 10] = [
     // An answer that was kept back paid what the station owed another master, who had not asked yet.
     (RTU, "another master alone", 7_000_315),
     (ASCII, "another master, same stations", 7_000_344),
@@ -20,6 +20,10 @@ const FOOLED: [(Protocol, &str, u64); 8] = [
     (RTU, "faults", 1_004_003_012),
     // The first copy of all, sooner than ever, and the true answer was lost.
     (RTU, "faults", 1_000_003_030),
+    // The first copy of all, when an answer usually comes, on a line on which nothing had gone wrong before.
+    (RTU, "faults", 1_007_003_025),
+    // Another master's question met ours and was answered; of the two less was left than a telegram.
+    (ASCII, "another master alone", 1_006_003_033),
     // Another master's question met ours and was answered, twice the same.
     (ASCII, "another master, same stations", 7_000_233),
 ];

@@ -54,6 +54,27 @@ fn words_end_where_the_adapter_ends_them() {
 fn noise_of_an_adapter_that_answers_does_not_end_it() {
     let says = |word: &str| if word == "V" { b"???\rV1013\r".to_vec() } else { b"\r".to_vec() };
     assert!(opened(says).0.is_ok());
+    let says = |word: &str| match word {
+        "V" => b"???\r".to_vec(),
+        "F" => b"F00\r".to_vec(),
+        _ => Vec::new(),
+    };
+    assert!(opened(says).0.is_ok_and(|opened| !opened.is_mute), "it tells its flags, and nothing else");
+}
+
+/// Behind a frame of the bus comes what the adapter says to a word.
+#[test]
+fn a_frame_that_comes_first_is_not_what_an_adapter_says() {
+    let but = |refused: &'static str| {
+        opened(move |word| match word {
+            "" => Vec::new(),
+            "F" => b"t1230\rF84\r".to_vec(),
+            word if word == refused => b"t1230\r\x07".to_vec(),
+            _ => b"t1230\r\r".to_vec(),
+        })
+    };
+    assert_eq!((but("S6").0, but("O").0), (Err(Unopened::Rate), Err(Unopened::Refused)));
+    assert!(but("L").0.unwrap().acknowledged);
 }
 
 /// A bus of 1 Mbit/s brings more than anybody reads: the first are kept, and how many were lost is told.

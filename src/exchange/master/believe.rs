@@ -128,7 +128,7 @@ impl Master {
         if !echoed {
             self.echo.learn(&sent, before);
         }
-        let doubted = self.is_doubtful(before, &garbage, &sent);
+        let doubted = self.is_doubtful(at, before, &garbage, &sent);
         if let Some(job) = &mut self.job {
             job.doubted = doubted;
         }
@@ -149,11 +149,12 @@ impl Master {
     }
 
     /// Whether garbage as long as a telegram came before an answer: two telegrams may have met, and the one that came whole is
-    /// to something else.
-    fn is_doubtful(&self, before: &[u8], garbage: &[u8], sent: &[u8]) -> bool {
+    /// to something else. What is left of ours and another master's may be shorter.
+    fn is_doubtful(&self, at: Tick, before: &[u8], garbage: &[u8], sent: &[u8]) -> bool {
         let noise = before.strip_suffix(sent).unwrap_or(before);
         let noise = if self.dialect.sender(noise).is_some() { 0 } else { noise.len() };
-        noise.max(garbage.len()) >= self.dialect.shortest_reply()
+        let least = if self.is_alone(at) { self.dialect.shortest_reply() } else { 1 };
+        noise.max(garbage.len()) >= least
     }
 
     fn reply(&mut self, at: Tick, sent_end: Tick, bytes: &[u8], is_sure: bool) {
@@ -177,7 +178,7 @@ impl Master {
         let (before, reply) = bytes.split_at(start.min(bytes.len()));
         let (sent, echoed, garbage) = (waiting.sent.clone(), waiting.echoed, waiting.garbage.clone());
         waiting.echoed |= before.ends_with(&sent);
-        let doubted = self.is_doubtful(before, &garbage, &sent);
+        let doubted = self.is_doubtful(at, before, &garbage, &sent);
         let Some(Job { phase: Phase::Reply(waiting), limits, .. }) = &mut self.job else { return };
         let length = self.dialect.duration(self.line, reply.len());
         let usual = |span| (waiting.sent_end + span + length).min(waiting.deadline).max(at);

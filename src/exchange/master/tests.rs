@@ -41,16 +41,28 @@ impl Line {
 
     /// Asks; `replies` holds what comes after each telegram that we send, with milliseconds from its end.
     fn ask(&mut self, station: u8, request: impl Into<Question>, replies: &[&[(u64, Vec<u8>)]]) -> Outcome {
-        self.master.ask(station, request, self.now);
         let mut replies = replies.iter();
+        self.ask_of(station, request, |sent| match sent {
+            [vabus::EOT] => Vec::new(),
+            _ => replies.next().map_or_else(Vec::new, |chunks| chunks.to_vec()),
+        })
+    }
+
+    /// Asks; what comes after each telegram that we send, with milliseconds from its end.
+    fn ask_of(
+        &mut self,
+        station: u8,
+        request: impl Into<Question>,
+        mut replies: impl FnMut(&[u8]) -> Vec<(u64, Vec<u8>)>,
+    ) -> Outcome {
+        self.master.ask(station, request, self.now);
         loop {
             match self.master.step(self.now) {
                 Step::Done(outcome) => return outcome,
                 Step::Send(bytes) => {
                     let end = self.now + self.master.line.chars(bytes.len() as u64);
-                    let farewell = bytes == [vabus::EOT];
-                    let chunks = if farewell { &[] } else { replies.next().copied().unwrap_or_default() };
-                    self.coming.extend(chunks.iter().map(|(ms, b)| (end + Span::from_millis(*ms), b.clone())));
+                    let chunks = replies(&bytes).into_iter();
+                    self.coming.extend(chunks.map(|(ms, bytes)| (end + Span::from_millis(ms), bytes)));
                     self.coming.sort_by_key(|chunk| chunk.0);
                     self.sent.push(bytes);
                 }

@@ -235,38 +235,41 @@ fn a_vabus_drive_that_always_answers_after_600_ms_is_understood() {
     let enquiry = |number| vabus::Request::Enquiry { address, header: header(number) };
     let told = |number| vabus::Reply::Value { address, header: header(number), data: Data::word(7) }.encode();
     let nak = || vabus::Reply::Nak { address }.encode();
-    let late = |bytes: Vec<u8>| [(600, bytes)];
     let rows = [(411, false), (484, true), (412, true), (372, false), (484, true)];
     for (number, refused) in rows {
         let begun = (line.now, line.sent.len());
-        line.master.ask(1, enquiry(number), line.now);
-        let outcome = loop {
-            match line.master.step(line.now) {
-                Step::Done(outcome) => break outcome,
-                Step::Send(bytes) => {
-                    let end = line.now + line.master.line.chars(bytes.len() as u64);
-                    if let Ok(vabus::Request::Enquiry { header, .. }) = vabus::Request::decode(&bytes) {
-                        let number = header.number.get();
-                        let reply = if rows.contains(&(number, true)) { nak() } else { told(number) };
-                        line.coming.extend(late(reply).map(|(ms, bytes)| (end + Span::from_millis(ms), bytes)));
-                    }
-                    line.sent.push(bytes);
-                }
-                Step::Wait(until) => match line.coming.first() {
-                    Some((at, _)) if *at <= until => {
-                        let (at, bytes) = line.coming.remove(0);
-                        line.now = at.max(line.now);
-                        line.master.feed(line.now, &bytes);
-                    }
-                    _ => line.now = until,
-                },
+        let outcome = line.ask_of(1, enquiry(number), |sent| match vabus::Request::decode(sent) {
+            Ok(vabus::Request::Enquiry { header, .. }) => {
+                let number = header.number.get();
+                vec![(600, if rows.contains(&(number, true)) { nak() } else { told(number) })]
             }
-        };
+            _ => Vec::new(),
+        });
         let Ok(Answer::Reply { said, .. }) = outcome else { panic!("{number}: {outcome:?}") };
         assert_eq!(said.is_refusal(), refused, "{number}: {said:?}");
         assert!(line.now.since(begun.0) < Span::from_secs(10), "{number}: {}", line.now.since(begun.0));
         assert!(line.sent.len() - begun.1 < 14, "{number}: {}", line.sent.len() - begun.1);
     }
+}
+
+/// Asked anew in the meantime it would owe a reply each time.
+#[test]
+fn a_station_that_is_late_again_and_again_is_waited_for_and_asked_once() {
+    let mut line = Line::new(Framing::Rtu);
+    let asked: Vec<_> = (0..6)
+        .map(|_| {
+            let before = line.sent.len();
+            _ = line.ask_of(1, READ, |sent| {
+                let reply = match Request::decode(&rtu::decode(sent).unwrap().pdu).unwrap() {
+                    Request::Diagnostics { sub, .. } => Reply::Diagnostics { sub, data: before as u16 },
+                    _ => Reply::Registers(vec![7]),
+                };
+                vec![(700, frame(1, &reply))]
+            });
+            line.sent.len() - before
+        })
+        .collect();
+    assert_eq!(asked, [2, 1, 1, 1, 1, 1]);
 }
 
 #[test]
