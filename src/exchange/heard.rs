@@ -3,7 +3,7 @@
 //!
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
 //!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of any
-//!   other they are asked for again, until it is known that it says the same of many things: the first copy of all may come in
+//!   other they are asked for again, until it has said the same of two things: the first copy of all may come in
 //!   place of an answer.
 //! * Where none has come, an answer that comes sooner than this station has ever answered is waited
 //!   upon for as long as the true one may take. On a quiet line this costs nothing.
@@ -26,8 +26,6 @@ const MARGIN: Span = Span::from_millis(5);
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
 const LONGEST_COPY: Span = Span::from_millis(100);
-/// So often answers in the words of others must have been said again until a station is one that says the same of many things.
-const ALIKE: u8 = 2;
 /// So often in a row a station must have been late until it is waited for.
 const OFTEN_LATE: u8 = 2;
 /// How much longer at most, and how much beyond what it took.
@@ -60,8 +58,8 @@ pub(super) struct Heard {
     paces: BTreeMap<(u8, u8), Pace>,
     /// Stations of which a reply came twice, or one that nobody had asked for.
     surplus: BTreeSet<u8>,
-    /// How often a station said in the words of another answer what it then said again.
-    alike: BTreeMap<u8, u8>,
+    /// Stations that said in the words of another answer what they then said again: they say the same of several things.
+    alike: BTreeSet<u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
@@ -171,14 +169,13 @@ impl Heard {
 
     /// An answer in the words of another one was said again.
     pub(super) fn vouches(&mut self, station: u8) {
-        let alike = self.alike.entry(station).or_default();
-        *alike = alike.saturating_add(1);
+        self.alike.insert(station);
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
     /// answer that is late or lost.
     fn may_copy(&self, station: u8) -> bool {
-        self.alike.get(&station).is_none_or(|&alike| alike < ALIKE)
+        !self.alike.contains(&station)
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -311,7 +308,6 @@ mod tests {
         let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };
         assert_eq!(heard.weigh(&once, false), Weight::Answer);
         heard.vouches(2);
-        heard.vouches(1);
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Again);
         heard.vouches(1);
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Answer);
@@ -335,7 +331,7 @@ mod tests {
         heard.sees_copy(2, at(1_010), &[9]);
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
-        (0..ALIKE).for_each(|_| heard.vouches(1));
+        heard.vouches(1);
         assert_eq!(weigh(&heard), Weight::Answer);
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));
