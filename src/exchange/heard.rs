@@ -58,6 +58,8 @@ pub(super) struct Heard {
     paces: BTreeMap<(u8, u8), Pace>,
     /// Stations of which a reply came twice, or one that nobody had asked for.
     surplus: BTreeSet<u8>,
+    /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
+    rough: bool,
     /// Stations that said in the words of another answer what they then said again: they say the same of several things.
     alike: BTreeSet<u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
@@ -82,6 +84,8 @@ pub(super) struct Sample<'a> {
     pub(super) again: bool,
     /// It could be another answer to the question before it.
     pub(super) confused: bool,
+    /// It must not wait, or others wait for it.
+    pub(super) hastens: bool,
 }
 
 /// Whether it is the answer.
@@ -138,6 +142,7 @@ impl Heard {
     /// More than was asked for comes from a station; another one may be next.
     pub(super) fn sees_surplus(&mut self, station: u8) {
         self.surplus.insert(station);
+        self.rough = true;
     }
 
     /// A copy has come; the first answer that it may be one of had none yet.
@@ -167,15 +172,21 @@ impl Heard {
         self.copy_due.map(|due| due.1)
     }
 
+    /// Garbage came, or what nobody had asked for: the first copy may come in place of an answer.
+    pub(super) fn sees_trouble(&mut self) {
+        self.rough = true;
+    }
+
     /// An answer in the words of another one was said again.
     pub(super) fn vouches(&mut self, station: u8) {
         self.alike.insert(station);
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
-    /// answer that is late or lost.
-    fn may_copy(&self, station: u8) -> bool {
-        !self.alike.contains(&station)
+    /// answer that is late or lost. What must not wait doubts that only where something went wrong before, or they come sooner than any
+    /// answer.
+    fn may_copy(&self, sample: &Sample<'_>, soon: bool) -> bool {
+        (self.rough || soon || !sample.hastens) && !self.alike.contains(&sample.station)
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -210,7 +221,7 @@ impl Heard {
             (false, true) if other && surplus => Weight::Copy(slowest),
             (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
-            (false, false) if other && sample.again && self.may_copy(sample.station) => Weight::Again,
+            (false, false) if other && sample.again && self.may_copy(sample, soon) => Weight::Again,
             (true, _) if late && sample.again && sample.confused => Weight::Again,
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
@@ -241,7 +252,17 @@ mod tests {
     }
 
     fn sample<'a>(question: &'a Question, bytes: &'a [u8], ms: u64, after: i64) -> Sample<'a> {
-        Sample { station: 1, function: 3, question, bytes, at: at(ms), after, again: true, confused: false }
+        Sample {
+            station: 1,
+            function: 3,
+            question,
+            bytes,
+            at: at(ms),
+            after,
+            again: true,
+            confused: false,
+            hastens: false,
+        }
     }
 
     /// A station that has answered after 10 ms and after 30 ms.
@@ -303,6 +324,12 @@ mod tests {
         heard.note(at(1_000), &BYTES, Some(&asked));
         let weigh = |heard: &Heard, asked, after| heard.weigh(&sample(asked, &BYTES, 1_100, after), false);
         assert_eq!([15_000, 5_000].map(|after| weigh(&heard, &other, after)), [Weight::Again; 2]);
+        let hasty = |heard: &Heard, after| {
+            heard.weigh(&Sample { hastens: true, ..sample(&other, &BYTES, 1_100, after) }, false)
+        };
+        assert_eq!([15_000, 5_000].map(|after| hasty(&heard, after)), [Weight::Answer, Weight::Again]);
+        heard.sees_trouble();
+        assert_eq!(hasty(&heard, 15_000), Weight::Again);
         assert_eq!(weigh(&heard, &asked, 15_000), Weight::Answer, "the same of the same");
         assert!(matches!(weigh(&heard, &asked, 5_000), Weight::Wait(_)));
         let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };

@@ -92,9 +92,9 @@ fn an_interval_that_the_line_cannot_keep_is_told() {
     let (slow, told) = end("--count 5 --interval 200ms --json");
     let summary = &slow["summary"];
     assert_eq!((&summary["interval"], &summary["late"]), (&json!(0.2), &json!(4)), "{slow:#}");
-    assert_eq!(summary["interval_kept"], 0.4);
+    assert_eq!(summary["interval_kept"], 0.45);
     assert_eq!(slow["warnings"][0]["code"], "monitor.interval");
-    assert!(told.contains("the interval of 200 ms was not kept: a round came every 400 ms on average"), "{told}");
+    assert!(told.contains("the interval of 200 ms was not kept: a round came every 450 ms on average"), "{told}");
     let (kept, told) = end("--count 5 --interval 500ms --json");
     assert_eq!((&kept["summary"]["interval_kept"], &kept["summary"]["late"]), (&json!(0.5), &json!(0)));
     assert!(!told.contains("not kept"), "{told}");
@@ -304,7 +304,8 @@ fn sets_that_differ_are_four_columns() {
     }
     // Found out once; from then on every set is asked at once.
     let asked = antrieb("-v --drive act -a 1 monitor 480 --count 3 --unpaced").on(bench).exits(0).sent();
-    assert_eq!(asked.len(), 1 + (1 + 1 + 4) + 4 + 4, "greeted, asked: {asked:?}");
+    // The first answer in the words of another is asked for again, behind a question that tells them apart.
+    assert_eq!(asked.len(), 1 + (1 + 1 + 4) + 2 + 4 + 4, "greeted, asked: {asked:?}");
 }
 
 #[test]

@@ -10,6 +10,8 @@ use crate::text::{Text, both};
 
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
+/// How often at most it is looked once more behind what was owed.
+const MOST_LOOKS: u8 = 4;
 
 /// What a run leaves: a drive that answers again, and runs, gets its stop as soon as that is seen.
 pub(super) async fn aftermath(
@@ -40,22 +42,39 @@ pub(super) async fn aftermath(
     };
     let mut is_undone = standing == Some(false) && ended.stop.as_ref().is_some_and(|stop| stop.standing == Some(true));
     let is_relieved = plan.aim.is_some_and(|aim| aim != Relief::Zero) && (!is_on || ended.result.is_ok());
-    let is_late = ended.stop.is_some() && motor.waits_for_what_is_owed().await;
-    if (is_late || standing != Some(true) || is_on)
-        && (is_relieved || ended.stop.as_ref().is_some_and(verdict::is_off))
-        && let Some(seen) = after.as_mut()
-    {
-        is_undone |= motor.look_again(seen).await;
-    }
-    if let Some(stop) = ended.stop.as_mut().filter(|_| is_undone) {
-        // What it had come to is over; of one that was said again nobody has seen what comes of it.
-        standing = standing.filter(|stands| !stands);
-        (stop.acknowledged, stop.standing) = (false, standing);
-    }
     let unseen = match plan.aim {
         Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),
         _ => None,
     };
+    let is_off = is_relieved || ended.stop.as_ref().is_some_and(verdict::is_off);
+    // The line is kept for what is owed, so whoever enables in that time is looked for behind it; each look may leave something owed.
+    for nth in 0..MOST_LOOKS {
+        // Beside others the time is theirs as well.
+        let may_wait = ended.stop.is_some() || (plan.aim.is_some() && !motor.is_beside());
+        let is_late = may_wait && motor.waits_for_what_is_owed().await;
+        if !is_late && (nth > 0 || (standing == Some(true) && !is_on)) {
+            break;
+        }
+        match after.as_mut() {
+            Some(seen) if is_off => is_undone |= motor.look_again(seen).await,
+            Some(_) if is_late && plan.aim == Some(Relief::Zero) => {
+                // Where it does not say anything any more, what it said of its power was true then.
+                after = motor.leave().await.or(after);
+                standing = motor.stands_at_the_end().await;
+                if let Some(setpoint) = motor.setpoint.as_mut().filter(|_| standing == Some(false)) {
+                    setpoint.reached = Some(false);
+                }
+            }
+            _ => break,
+        }
+    }
+    if is_undone {
+        // What it had come to is over; of one that was said again nobody has seen what comes of it.
+        standing = standing.filter(|stands| !stands);
+        if let Some(stop) = &mut ended.stop {
+            (stop.acknowledged, stop.standing) = (false, standing);
+        }
+    }
     let done = Done {
         standing,
         idle: motor.is_idle(),

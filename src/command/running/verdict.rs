@@ -39,7 +39,7 @@ pub(super) fn of(
             Some(code) => stopped(tripped(family, code), stop, running, family, done),
             None => unproven(stop, family, done),
         }),
-        (None, _) => broken_promise(plan, family, seen, running)
+        (None, _) => broken_promise(plan, family, seen, running, done.standing)
             .or_else(|| other_stop(done))
             .or_else(|| unseen_relief(plan, done))
             .or_else(|| not_standing(plan, family, done.setpoint.as_ref()))
@@ -214,7 +214,13 @@ fn other_stop(done: &Done) -> Option<Failure> {
 }
 
 /// Nothing went wrong on the way; is the drive where it was to be?
-fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option<bool>) -> Option<Failure> {
+fn broken_promise(
+    plan: &Plan<'_>,
+    family: &Family,
+    seen: &Seen,
+    running: Option<bool>,
+    standing: Option<bool>,
+) -> Option<Failure> {
     if seen.after.is_none() {
         return Some(dangerous(unknown(), family));
     }
@@ -224,7 +230,8 @@ fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option
     let must_stand = plan.args.hold && plan.args.on_exit != StopArg::Keep;
     let must_stop = matches!(plan.aim, Some(act) if act != Relief::Zero);
     // A run that was to end must have ended, whatever was acknowledged on the way.
-    ((must_stand || must_stop) && running != Some(false)).then(|| still_running(family)).or_else(|| {
+    let turns_on = ((must_stand || must_stop) && running != Some(false)).then(|| still_running(family));
+    turns_on.map(|failure| if standing == Some(true) { failure } else { warned(failure) }).or_else(|| {
         let must_run = plan.runs && !must_stand;
         (must_run && running == Some(false)).then(|| {
             let text = both!("the drive does not run any more", "der Antrieb läuft nicht mehr");

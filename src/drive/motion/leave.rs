@@ -19,6 +19,11 @@ impl Motor<'_, '_> {
         self.rest(until.since(self.session.now())).await.is_ok()
     }
 
+    /// Whether others talk over the line too.
+    pub fn is_beside(&self) -> bool {
+        self.session.is_shared()
+    }
+
     /// What the drive says as the program leaves. Where it says nothing more, what was seen last still tells that it was
     /// without power; `None` if nothing does.
     pub async fn leave(&mut self) -> Option<Situation> {

@@ -94,11 +94,12 @@ impl Master {
         let reply = i64::try_from(self.dialect.duration(self.line, bytes.len()).as_micros()).unwrap_or(0);
         let (question, function) = (job.asks(), job.asks().function());
         let again = job.limits.witness && !question.is_write();
+        let hastens = job.limits.insist.is_some() || job.limits.gives_way;
         let after = micros(at) - micros(sent_end) - reply;
         let confused = self.answered.as_ref().is_some_and(|(station, last, then)| {
             *station == job.station && at.since(*then) < COPY_WITHIN && self.dialect.confuses(last, question)
         });
-        Sample { station: job.station, function, question, bytes, at, after, again, confused }
+        Sample { station: job.station, function, question, bytes, at, after, again, confused, hastens }
     }
 
     /// Whether another answer to the same question came before, in other words, and was no copy.

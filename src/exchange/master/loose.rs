@@ -81,7 +81,10 @@ impl Master {
                     self.tally.strays += 1;
                     Verdict::Stray { station }
                 }
-                _ => Verdict::Garbage,
+                _ => {
+                    self.heard.sees_trouble();
+                    Verdict::Garbage
+                }
             };
             self.record(Record { at, verdict, bytes: bytes.to_vec() });
         }
@@ -122,6 +125,7 @@ impl Master {
         if self.debts.pays(station, &said, at) {
             return;
         }
+        self.heard.sees_trouble();
         let overtaken = self.debts.arrives(station, &said, at);
         let second = self.answered.as_ref().is_some_and(|(answering, question, then)| {
             *answering == station && question.is_answered_by(&said) && at.since(*then) < SECOND_WITHIN

@@ -94,6 +94,7 @@ impl Master {
 
     /// Somebody else asks a station: its reply is to come, and none to us.
     fn note_foreign(&mut self, at: Tick, station: u8, question: Question) {
+        self.heard.sees_trouble();
         self.others = [Some(at), self.others[0]];
         if station != BROADCAST && !question.is_write() {
             self.debts.owes(station, question, at + HIS_REPLY, at);
