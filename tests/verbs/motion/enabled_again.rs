@@ -3,7 +3,7 @@
 use super::events::left;
 use super::rig::{RUNNING, drive, sent};
 use crate::run::antrieb;
-use antrieb::tick::Span;
+use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 
 const OFF: &str = "01 06 01 9A 00 00";
@@ -64,6 +64,31 @@ fn a_shaft_that_the_giving_back_leaves_coasting_is_not_told_as_one_that_stands()
         assert!(turning == 0 || run.exit != 0, "{seen}");
     }
     assert!(turned > 0);
+}
+
+/// One reply is lost, whichever: behind its last look no verb that stops keeps the line.
+#[test]
+fn a_stop_looks_once_more_behind_what_its_last_look_left_owed() {
+    for (drive, verb, most) in [
+        ("model = \"lxm05\"", "statemachine disable", 150),
+        ("model = \"acu\"", "statemachine disable", 150),
+        ("model = \"acu\"", "statemachine quick-stop", 150),
+        ("model = \"acu\"\nset = { 412 = 1 }", "sollwert 0", 150),
+        // An answer that may be a copy is held for so long.
+        ("model = \"acu\"\nprotocol = \"vabus\"", "statemachine disable", 700),
+    ] {
+        for nth in 6..26 {
+            let lost = format!("[[disturb]]\nonce = {nth}\nkind = \"lost\"");
+            let bench = format!("[[drive]]\n{drive}\naddress = 1\nreply_delay = \"1ms\"\n{lost}\n");
+            let protocol = if drive.contains("vabus") { "--protocol vabus" } else { "" };
+            let run = antrieb(&format!("-a 1 {protocol} --trace {{dir}}/line.txt {verb}")).on(&bench).run();
+            let (_, at) = witness::left().unwrap();
+            let trace = std::fs::read_to_string(run.directory().join("line.txt")).unwrap();
+            let last = trace.lines().rev().find_map(|line| line.split_once(" > ")).unwrap().0;
+            let blind = at.since(Tick::ZERO + Span::from_micros(last.trim().parse().unwrap()));
+            assert!(blind < Span::from_millis(most), "{drive} {verb} {nth}: {blind}\n{}\n{trace}", run.out);
+        }
+    }
 }
 
 /// The line is kept as long as a reply is owed, whoever leaves: what the drive does in that time is seen.
