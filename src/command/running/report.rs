@@ -11,7 +11,7 @@ use crate::text::{Text, both};
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
 /// How often at most it is looked once more behind what was owed.
-const MOST_LOOKS: u8 = 4;
+const MOST_LOOKS: u8 = 2;
 
 /// What a run leaves: a drive that answers again, and runs, gets its stop as soon as that is seen.
 pub(super) async fn aftermath(
