@@ -187,10 +187,10 @@ impl<'a> Session<'a> {
         self.ends_at = at;
     }
 
-    /// What is waited for takes nothing of the time that is left; behind it there is `least` at least.
-    pub fn ends_later(&mut self, by: Span, least: Span) {
-        let soonest = self.now() + by + least;
-        self.ends_at = self.ends_at.map(|at| (at + by).max(soonest));
+    /// Where questions end at some time, that is not sooner than so much later.
+    pub fn ends_later(&mut self, least: Span) {
+        let soonest = self.now() + least;
+        self.ends_at = self.ends_at.map(|at| at.max(soonest));
     }
 
     /// From now on no answer is believed that may be one to the same question from before this moment: for what proves that

@@ -26,6 +26,8 @@ const MARGIN: Span = Span::from_millis(5);
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
 const LONGEST_COPY: Span = Span::from_millis(100);
+/// So often a station must have said the same of two things until its copies are not feared, where something warned of them; else once.
+const ALIKE: u8 = 2;
 /// So often in a row a station must have been late until it is waited for.
 const OFTEN_LATE: u8 = 2;
 /// How much longer at most, and how much beyond what it took.
@@ -60,8 +62,8 @@ pub(super) struct Heard {
     surplus: BTreeSet<u8>,
     /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
     rough: bool,
-    /// Stations that said in the words of another answer what they then said again: they say the same of several things.
-    alike: BTreeSet<u8>,
+    /// How often a station said in the words of another answer what it then said again.
+    alike: BTreeMap<u8, u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
@@ -179,14 +181,16 @@ impl Heard {
 
     /// An answer in the words of another one was said again.
     pub(super) fn vouches(&mut self, station: u8) {
-        self.alike.insert(station);
+        let alike = self.alike.entry(station).or_default();
+        *alike = alike.saturating_add(1);
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
     /// answer that is late or lost. What must not wait doubts that only where something went wrong before, or they come sooner than any
     /// answer.
     fn may_copy(&self, sample: &Sample<'_>, soon: bool) -> bool {
-        (self.rough || soon || !sample.hastens) && !self.alike.contains(&sample.station)
+        let wanted = if self.rough || soon { ALIKE } else { u8::from(!sample.hastens) };
+        self.alike.get(&sample.station).copied().unwrap_or_default() < wanted
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -328,8 +332,6 @@ mod tests {
             heard.weigh(&Sample { hastens: true, ..sample(&other, &BYTES, 1_100, after) }, false)
         };
         assert_eq!([15_000, 5_000].map(|after| hasty(&heard, after)), [Weight::Answer, Weight::Again]);
-        heard.sees_trouble();
-        assert_eq!(hasty(&heard, 15_000), Weight::Again);
         assert_eq!(weigh(&heard, &asked, 15_000), Weight::Answer, "the same of the same");
         assert!(matches!(weigh(&heard, &asked, 5_000), Weight::Wait(_)));
         let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };
@@ -338,6 +340,11 @@ mod tests {
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Again);
         heard.vouches(1);
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Answer);
+        assert_eq!(weigh(&heard, &other, 5_000), Weight::Again, "sooner than ever it takes two");
+        heard.sees_trouble();
+        assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Again; 2]);
+        heard.vouches(1);
+        assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Answer; 2]);
     }
 
     #[test]
@@ -358,7 +365,7 @@ mod tests {
         heard.sees_copy(2, at(1_010), &[9]);
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
-        heard.vouches(1);
+        (0..ALIKE).for_each(|_| heard.vouches(1));
         assert_eq!(weigh(&heard), Weight::Answer);
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));

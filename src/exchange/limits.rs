@@ -31,6 +31,8 @@ pub struct Limits {
     pub listen: Span,
     /// Others wait for the line: until no copy of anything can come is their time, so what may be one ends the question.
     pub gives_way: bool,
+    /// A shaft depends on it: words of a moment ago are doubted only where something warned of copies.
+    pub hastens: bool,
 }
 
 impl Default for Limits {
@@ -45,6 +47,7 @@ impl Default for Limits {
             since: None,
             listen: Span::ZERO,
             gives_way: false,
+            hastens: false,
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::text::{Text, both};
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
 /// How often at most it is looked once more behind what was owed.
-const MOST_LOOKS: u8 = 2;
+const MOST_LOOKS: u8 = 3;
 
 /// What a run leaves: a drive that answers again, and runs, gets its stop as soon as that is seen.
 pub(super) async fn aftermath(
@@ -48,7 +48,8 @@ pub(super) async fn aftermath(
     };
     let is_off = is_relieved || ended.stop.as_ref().is_some_and(verdict::is_off);
     // The line is kept for what is owed, so whoever enables in that time is looked for behind it; each look may leave something owed.
-    for nth in 0..MOST_LOOKS {
+    let most = if plan.aim.is_some() { 2 } else { MOST_LOOKS };
+    for nth in 0..most {
         // Beside others the time is theirs as well.
         let may_wait = ended.stop.is_some() || (plan.aim.is_some() && !motor.is_beside());
         let is_late = may_wait && motor.waits_for_what_is_owed().await;

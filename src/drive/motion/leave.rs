@@ -10,16 +10,20 @@ use crate::tick::Span;
 /// So often it is looked whether a drive stays without power that somebody else has enabled again, and so long is waited between.
 const RETURNS: u8 = 3;
 const MOMENT: Span = Span::from_millis(150);
-/// So much time a look behind what was owed has: an answer may be held for 0.6 s.
-const LAST_LOOK: Span = Span::from_millis(1_500);
+/// So much time a look behind what was owed has where that of the stop is over: an answer may be held for 0.6 s.
+const LAST_LOOK: Span = Span::from_secs(2);
 
 impl Motor<'_, '_> {
-    /// Waits for replies that are still owed, unless somebody is in a hurry; whether there were any. The line is kept for so long anyway,
+    /// Waits for replies that are still owed, unless somebody is in a hurry, or has interrupted more than once; whether there were any. The line is kept for so long anyway,
     /// and what is looked at behind that is seen as late as may be.
     pub async fn waits_for_what_is_owed(&mut self) -> bool {
-        let Some(until) = self.session.owes_until().filter(|_| !self.hurried && !self.unheard) else { return false };
+        let Some(until) =
+            self.session.owes_until().filter(|_| !self.hurried && !self.unheard && self.session.presses() < 2)
+        else {
+            return false;
+        };
         let left = until.since(self.session.now());
-        self.session.ends_later(left, LAST_LOOK);
+        self.session.ends_later(left + LAST_LOOK);
         self.rest(left).await.is_ok()
     }
 

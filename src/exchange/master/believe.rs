@@ -94,7 +94,7 @@ impl Master {
         let reply = i64::try_from(self.dialect.duration(self.line, bytes.len()).as_micros()).unwrap_or(0);
         let (question, function) = (job.asks(), job.asks().function());
         let again = job.limits.witness && !question.is_write();
-        let hastens = job.limits.insist.is_some() || job.limits.gives_way;
+        let hastens = job.limits.hastens || job.limits.gives_way || job.limits.insist.is_some();
         let after = micros(at) - micros(sent_end) - reply;
         let confused = self.answered.as_ref().is_some_and(|(station, last, then)| {
             *station == job.station && at.since(*then) < COPY_WITHIN && self.dialect.confuses(last, question)

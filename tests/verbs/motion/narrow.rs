@@ -128,7 +128,7 @@ fn a_ramp_of_which_anything_is_lost_takes_no_power_from_a_turning_shaft() {
     assert!(ramps > 2, "{ramps}");
 }
 
-/// Proven already; what is only reported costs whoever waits no more than a second or two.
+/// Proven already; what is only reported costs whoever waits no more than one look, and what is owed before it.
 #[test]
 fn behind_a_proven_stop_a_line_that_dies_holds_nobody_up() {
     let line = "-v --timeout 4s -b 115200 -a 1 --drive acu statemachine disable-voltage";
@@ -137,7 +137,7 @@ fn behind_a_proven_stop_a_line_that_dies_holds_nobody_up() {
     for dead in sent - 3..sent {
         let run = antrieb(line).on(&drive(RUNNING, &silent_after(dead, 600_000))).run();
         let more = witness::left().unwrap().1.since(end);
-        assert!(more < Span::from_secs(4) || !run.out.contains("running  no"), "{dead} of {sent}: {more} {}", run.err);
+        assert!(more < Span::from_secs(6) || !run.out.contains("running  no"), "{dead} of {sent}: {more} {}", run.err);
     }
 }
 
