@@ -11,7 +11,7 @@ use crate::tick::Span;
 const RETURNS: u8 = 3;
 const MOMENT: Span = Span::from_millis(150);
 /// So much time a look behind what was owed has where that of the stop is over: an answer may be held for 0.6 s.
-const LAST_LOOK: Span = Span::from_secs(2);
+const LAST_LOOK: Span = Span::from_millis(1_500);
 
 impl Motor<'_, '_> {
     /// Waits for replies that are still owed, unless somebody is in a hurry, or has interrupted more than once; whether there were any. The line is kept for so long anyway,
