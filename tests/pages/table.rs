@@ -222,7 +222,7 @@ pub(crate) const ROWS: &[Row<'static>] = &[
         .tells("antrieb,address=2,family=acu"),
     Row::new("docs/feeding.md", "--gather stdin --unpaced --format csv").tells("2,2,acu,switched-on"),
     Row::new("docs/feeding.md", "--textfile drives.prom --count 3 --unpaced").tells("6 samples in 3 rounds"),
-    Row::new("docs/recording.md", "--record run.ndjson").tells("82 samples"),
+    Row::new("docs/recording.md", "--record run.ndjson").tells("81 samples"),
     Row::new("docs/recording.md", "--trigger 'state -> fault' --once").tells("no trigger came true"),
     Row::new("docs/recording.md", "plot docs/examples/record.csv").tells("411 > 8"),
     Row::new("docs/recording.md", "--svg ramp.svg").tells("picture: ramp.svg"),

@@ -94,8 +94,8 @@ const TYPED: &[(&str, &[&str])] = &[
     (
         "monitor",
         &[
-            "monitor -a 2 --line --count 3 --interval 200ms",
-            "monitor -a 2 --line --count 2 --interval 200ms --record {dir}/kept.csv",
+            "monitor -a 2 --line --count 3 --interval 300ms",
+            "monitor -a 2 --line --count 2 --interval 300ms --record {dir}/kept.csv",
         ],
     ),
     (
