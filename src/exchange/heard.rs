@@ -88,6 +88,8 @@ pub(super) struct Sample<'a> {
     pub(super) confused: bool,
     /// It must not wait, or others wait for it.
     pub(super) hastens: bool,
+    /// A value names what it answers; only refusals and acknowledgements are alike.
+    pub(super) named: bool,
 }
 
 /// Whether it is the answer.
@@ -129,6 +131,11 @@ impl Heard {
     /// Whether they were the answer to another question, or to none.
     pub(super) fn is_anothers(&self, at: Tick, bytes: &[u8], question: &Question) -> bool {
         self.like(at, bytes).any(|old| old.answered.as_ref() != Some(question))
+    }
+
+    /// Whether an answer to this question was heard a moment ago.
+    pub(super) fn has_answer_to(&self, question: &Question) -> bool {
+        self.telegrams.iter().any(|old| old.answered.as_ref() == Some(question))
     }
 
     /// From when on nothing that was heard by now is copied any more.
@@ -186,10 +193,10 @@ impl Heard {
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
-    /// answer that is late or lost. What must not wait doubts that only where something went wrong before, or they come sooner than any
-    /// answer.
+    /// answer that is late or lost. What must not wait, and where values have names, doubts that only where something went wrong before,
+    /// or they come sooner than any answer.
     fn may_copy(&self, sample: &Sample<'_>, soon: bool) -> bool {
-        let wanted = if self.rough || soon { ALIKE } else { u8::from(!sample.hastens) };
+        let wanted = if self.rough || soon { ALIKE } else { u8::from(!(sample.hastens || sample.named)) };
         self.alike.get(&sample.station).copied().unwrap_or_default() < wanted
     }
 
@@ -266,6 +273,7 @@ mod tests {
             again: true,
             confused: false,
             hastens: false,
+            named: false,
         }
     }
 
@@ -332,6 +340,8 @@ mod tests {
             heard.weigh(&Sample { hastens: true, ..sample(&other, &BYTES, 1_100, after) }, false)
         };
         assert_eq!([15_000, 5_000].map(|after| hasty(&heard, after)), [Weight::Answer, Weight::Again]);
+        let named = |after| heard.weigh(&Sample { named: true, ..sample(&other, &BYTES, 1_100, after) }, false);
+        assert_eq!([15_000, 5_000].map(named), [Weight::Answer, Weight::Again], "as a refusal");
         assert_eq!(weigh(&heard, &asked, 15_000), Weight::Answer, "the same of the same");
         assert!(matches!(weigh(&heard, &asked, 5_000), Weight::Wait(_)));
         let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };

@@ -287,7 +287,7 @@ fn a_led_ramp_is_measured_as_one_way_however_soon_the_stop_comes() {
 #[test]
 fn a_trip_in_a_held_run_is_a_record_and_a_mark() {
     let bench = "[[drive]]\nmodel = \"acu\"\naddress = 2\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n\
-        [[drive.event]]\nat = \"3s\"\nfault = \"F0500\"\n";
+        [[drive.event]]\nat = \"3100ms\"\nfault = \"F0500\"\n";
     let line = "-a 2 sollwert 15Hz --enable --hold --duration 6s --yes --format ndjson";
     let run = antrieb(line).on(bench).exits(8);
     let records: Vec<Value> = run.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();

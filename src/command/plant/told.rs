@@ -37,12 +37,12 @@ pub(super) fn plant(wanted: &[Wanted], lines: &mut [Line<'_>], (is_over, rest): 
         message: if adds && drives.len() > 1 { written_and_back(&failure.message, &drives) } else { failure.message },
         ..failure
     });
-    let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });
     let failure = match (failure, would_change(&drives)) {
         (Some(failure), Some(some)) => Some(beside(failure, &some)),
         (None, Some(some)) => Some(not_yet(some)),
         (failure, None) => failure,
     };
+    let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });
     Outcome { data: Some(Data::Plant(Plant { project: project(wanted), dry_run: false, drives })), warnings, failure }
 }
 

@@ -95,11 +95,12 @@ impl Master {
         let (question, function) = (job.asks(), job.asks().function());
         let again = job.limits.witness && !question.is_write();
         let hastens = job.limits.hastens || job.limits.gives_way || job.limits.insist.is_some();
+        let named = self.dialect.names_its_question();
         let after = micros(at) - micros(sent_end) - reply;
         let confused = self.answered.as_ref().is_some_and(|(station, last, then)| {
             *station == job.station && at.since(*then) < COPY_WITHIN && self.dialect.confuses(last, question)
         });
-        Sample { station: job.station, function, question, bytes, at, after, again, confused, hastens }
+        Sample { station: job.station, function, question, bytes, at, after, again, confused, hastens, named }
     }
 
     /// Whether another answer to the same question came before, in other words, and was no copy.

@@ -30,12 +30,13 @@ impl Master {
         self.fence(station, question).map_or(Parting::Until(end), |fence| Parting::Fence(fence, due))
     }
 
-    /// A question whose answer can be taken for none that the station owes.
+    /// A question whose answer can be taken for none that the station owes; first one whose answer is so old that the next can be no copy.
     pub(super) fn fence(&self, station: u8, question: &Question) -> Option<Question> {
         let missing = self.debts.missing(station);
         let counters = self.counters.get(&station).map(Vec::as_slice);
-        let known = self.known.get(&station).map_or(&[][..], Vec::as_slice);
-        self.dialect.fence(&Old { missing: &missing, question, known, counters })
+        let mut known = self.known.get(&station).cloned().unwrap_or_default();
+        known.sort_by_key(|known| self.heard.has_answer_to(known));
+        self.dialect.fence(&Old { missing: &missing, question, known: &known, counters })
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.

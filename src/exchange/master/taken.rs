@@ -147,7 +147,10 @@ impl Master {
         if !said.is_refusal() && job.question.is_harmless() {
             let known = self.known.entry(job.station).or_default();
             known.retain(|known| *known != job.question);
-            known.truncate(MOST_KNOWN - 1);
+            // The first of all stays: in a long reading the others were answered a moment ago.
+            if known.len() == MOST_KNOWN {
+                known.remove(MOST_KNOWN - 2);
+            }
             known.insert(0, job.question.clone());
         }
         self.ledger.is_told(job.station, &job.question, &said);

@@ -27,7 +27,7 @@ fn on(case: Case, words: &str, end: End, step: usize) -> (Seen, tempfile::TempDi
 #[test]
 fn an_undo_that_is_interrupted_before_its_first_write_has_changed_nothing_and_says_so() {
     let (mut before, mut between, mut on_its_way) = (0, 0, 0);
-    for step in 1..40 {
+    for step in 1..50 {
         let (seen, _dir) = on_act("undo {dir}/u.toml", End::Wish, step);
         let (worn, ended) = (seen.bench.totals().eeprom_writes, seen.load.as_ref().and_then(|load| load.ended));
         let Some(failure) = seen.failure else { continue };
@@ -82,7 +82,7 @@ fn what_a_save_has_read_stays_and_is_never_called_whole() {
 #[test]
 fn a_way_back_over_a_line_that_falls_silent_ends_soon_and_calls_restored_only_what_it_saw() {
     let mut ends = std::collections::BTreeSet::new();
-    for step in 10..130 {
+    for step in 14..134 {
         let silent = format!("[[drive.event]]\nafter_telegrams = {step}\nsilent = \"10h\"\n");
         // The last of its values is refused: all of it goes back.
         let keys = format!("[[drive.event]]\nafter_telegrams = 1\nrefuses = {}\n{silent}", 2 << 12 | 480);

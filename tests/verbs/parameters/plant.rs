@@ -220,7 +220,8 @@ fn a_wish_to_end_takes_back_what_is_under_way_and_begins_nothing_else() {
             let (_, ended) = wished(run.directory(), &format!("-a a1,a2,b1 apply{atomic}"), after);
             let left = stored();
             let Some(Data::Plant(Plant { drives, .. })) = ended.data else { continue };
-            assert_eq!(ended.failure.map(|failure| failure.class), Some(Class::Interrupted), "{after}");
+            let class = ended.failure.as_ref().map(|failure| failure.class);
+            assert_eq!(class, Some(Class::Interrupted), "{after}{atomic}: {:?}", ended.failure);
             let stands = [left[0][0] == AFTER[0], left[0][1] == AFTER[1], left[1][0] == AFTER[0]];
             for (drive, stands) in drives.iter().zip(stands) {
                 assert_eq!(drive.state == PlantState::Done, stands, "{after}{atomic}: {drive:?}");
@@ -239,7 +240,7 @@ fn a_wish_to_end_takes_back_what_is_under_way_and_begins_nothing_else() {
 fn a_line_that_is_cut_is_named_and_the_others_go_on() {
     let run = plant("plan", [TWO, TWO, ONE]);
     let mut torn = 0;
-    for after in (4..60).step_by(5) {
+    for after in (4..80).step_by(5) {
         witness::call(true);
         witness::pull_one_after(after);
         let (_, ended) = wished(run.directory(), "apply", usize::MAX);

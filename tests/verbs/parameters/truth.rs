@@ -188,7 +188,7 @@ fn an_undo_leaves_a_drive_that_runs_alone() {
     );
     // It starts to run on the way, also while somebody is asked.
     let mut ends = Vec::new();
-    for step in 1..18 {
+    for step in 1..24 {
         let bench = format!(
             "[[drive]]\nmodel = \"act\"\nstart_right = false\nset = {{ \"412\" = 0, \"480\" = 10 }}\n\
              [[drive.event]]\nafter_telegrams = {step}\nstart_right = true\n"
