@@ -4,13 +4,14 @@ use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, u
 use crate::args::{Settings, called};
 use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
-use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
+use crate::drive::motion::{Call, LAST_LOOK, Meant, Motor, Situation, enabled_again, is_enabled, shout_round};
 use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
+use crate::tick::Span;
 use std::cell::RefCell;
 
 /// What came of one drive.
@@ -97,7 +98,34 @@ async fn stop_line<'p, C>(
             *came = stop_one(&mut session, &mut around, drive, (act, plan()), check, work).await;
         }
     }
+    for (drive, came) in drives.iter().zip(&mut came) {
+        // Who was proven early may be enabled again while the others are.
+        if !waits_for_what_is_owed(&mut session).await || !is_enabled_again(&mut session, registry, came).await {
+            continue;
+        }
+        let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
+        *came = stop_one(&mut session, &mut around, (drive, None, false), (act, plan()), check, work).await;
+        if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came {
+            motion.notes.push(enabled_again());
+        }
+    }
     Ok(came)
+}
+
+/// Waits for replies that are still owed: the line is kept for so long anyway. Whether there is time to look once more; who interrupts has none.
+async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
+    let left = session.owes_until().map_or(Span::ZERO, |until| until.since(session.now()));
+    let may_look = !session.is_interrupted() && session.presses() == 0 && !session.is_shared();
+    session.end_at(Some(session.now() + left + LAST_LOOK));
+    may_look && session.rest(left).await.is_ok()
+}
+
+/// Whether a drive that had been seen without power tells that it has it again.
+async fn is_enabled_again(session: &mut Session<'_>, registry: &Registry, came: &Came) -> bool {
+    let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return false };
+    let Some(family) = registry.family(&motion.drive) else { return false };
+    session.speaks_of(Some(motion.address));
+    motion.running == Some(false) && is_enabled(session, &mut Target::new(motion.address, family)).await
 }
 
 /// Refuses a line of another kind among several: nothing is sent on it, and the others are stopped.

@@ -11,7 +11,7 @@ use crate::tick::Span;
 const RETURNS: u8 = 3;
 const MOMENT: Span = Span::from_millis(150);
 /// So much time a look behind what was owed has where that of the stop is over: an answer may be held for 0.6 s.
-const LAST_LOOK: Span = Span::from_millis(1_500);
+pub const LAST_LOOK: Span = Span::from_millis(1_500);
 
 impl Motor<'_, '_> {
     /// Waits for replies that are still owed, unless somebody is in a hurry, or has interrupted more than once; whether there were any. The line is kept for so long anyway,
@@ -90,11 +90,7 @@ impl Motor<'_, '_> {
 
     /// Somebody else has enabled a drive that had been stopped.
     pub fn notes_enabled_again(&mut self) {
-        let text = both!(
-            "it was enabled again behind its stop, by somebody else: the stop went out again",
-            "er wurde hinter seinem Halt wieder freigegeben, von jemand anderem: der Halt ging nochmals hinaus"
-        );
-        self.note_once(text);
+        self.note_once(enabled_again());
     }
 
     /// Tells something at once, and notes it for the end; once, however often it happens.
@@ -117,4 +113,12 @@ impl Motor<'_, '_> {
         };
         raw.map(|raw| watchdog_seconds(&family, raw))
     }
+}
+
+/// That somebody else has enabled a drive that had been stopped.
+pub fn enabled_again() -> Text {
+    both!(
+        "it was enabled again behind its stop, by somebody else: the stop went out again",
+        "er wurde hinter seinem Halt wieder freigegeben, von jemand anderem: der Halt ging nochmals hinaus"
+    )
 }

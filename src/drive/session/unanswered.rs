@@ -62,7 +62,7 @@ impl Session<'_> {
     }
 
     /// Until when a reply may still come that somebody owes. The line is kept for so long, whoever leaves.
-    pub(in crate::drive) fn owes_until(&self) -> Option<Tick> {
+    pub fn owes_until(&self) -> Option<Tick> {
         self.line.borrow().master.owes_until(self.now())
     }
 

@@ -1,7 +1,7 @@
 //! Somebody else enables a drive in the last moments of what took its power: it is stopped once more, and told as it is then.
 
 use super::events::left;
-use super::rig::{RUNNING, drive, sent};
+use super::rig::{RUNNING, drive, ran, sent};
 use crate::run::antrieb;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
@@ -102,4 +102,37 @@ fn nobody_looks_for_the_last_time_while_a_reply_is_owed() {
         let owed = line.advance(at + Span::from_secs(2));
         assert!(owed.is_empty(), "{every}: {owed:?} behind {at:?}");
     }
+}
+
+/// One drive of two stands early, and somebody enables it again while the other is proven: it is stopped once more, and that is told.
+#[test]
+fn a_drive_that_was_proven_early_is_looked_at_once_more_behind_the_others() {
+    let one = |address: u8, ramp: u16, rest: &str| {
+        let ramps = format!("ramps = {{ up_right = 50, down_right = {ramp}, up_left = 50, down_left = {ramp} }}");
+        drive(RUNNING, &format!("{ramps}\n{rest}"))
+            .replace("model = \"acu\"", &format!("model = \"acu\"\naddress = {address}"))
+            .replace("1ms", "5ms")
+    };
+    let line = |verb: &str, event: &str| {
+        let bench = format!("{}{}", one(1, 100, event), one(2, 2, ""));
+        let run =
+            ran(Span::from_secs(8), &format!("-v -b 115200 -a 1,2 --drive acu statemachine {verb}"), &bench).json();
+        let (mut bench, end) = witness::left().unwrap();
+        bench.advance(end + Span::from_secs(60));
+        (run, bench.totals().turning, end)
+    };
+    let mut told = 0;
+    for verb in ["disable", "quick-stop"] {
+        let (calm, _, end) = line(verb, "");
+        assert_eq!(calm.exit, 0, "{:#}", calm.value);
+        let begun = 8_100;
+        for at in (begun + 300..end.as_micros() / 1000 - 150).step_by(400) {
+            let event = format!("[[drive.event]]\nat = \"{at}ms\"\nset = {{ \"410\" = 15 }}");
+            let (run, turning, _) = line(verb, &event);
+            let seen = format!("{verb} {at} of {end:?}: {:#}", run.value);
+            assert_eq!(turning, 0, "{seen}");
+            told += usize::from(run.data("/drives/0/motion/notes").to_string().contains(AGAIN));
+        }
+    }
+    assert!(told > 2, "{told}");
 }
