@@ -9,6 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// So long other programs are kept from the line for the sake of a reply that is missing, without a sign of it.
 const HOLD: Span = Span::from_secs(2);
+/// So long for one that was answered, and doubted: what a drive does in this time nobody sees.
+const HOLD_DOUBTED: Span = Span::from_millis(100);
 
 /// The longest that a drive takes to answer but under high load (CM-485 manual 6.8).
 pub(super) const LATEST_REPLY: Span = Span::from_millis(500);
@@ -48,6 +50,8 @@ struct Debt {
     /// The same, every asking for itself.
     lately: Vec<Overtaken>,
     since: Tick,
+    /// Other programs are kept from the line until then.
+    held: Tick,
     /// Nothing else can overtake the missing replies after this; a drive under load may still be late.
     due: Tick,
     /// How many replies may still come.
@@ -67,12 +71,24 @@ pub(super) struct Debts {
 impl Debts {
     /// A station owes the reply to a question, which is due at a time.
     pub(super) fn owes(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
-        self.note(station, &missing, due, now).remember(&missing, now, false);
+        let debt = self.note(station, &missing, due, now);
+        debt.held = now + HOLD;
+        debt.remember(&missing, now, false);
+    }
+
+    /// What was taken for the reply may have been an older one, and none came behind it: most likely nothing more will, but what comes all
+    /// the same is no answer to something else.
+    pub(super) fn doubts(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
+        let debt = self.note(station, &missing, due, now);
+        debt.held = debt.held.max(now + HOLD_DOUBTED);
+        debt.remember(&missing, now, false);
     }
 
     /// A question was answered by garbage, which most likely was the reply.
     pub(super) fn may_owe(&mut self, station: u8, missing: &Question, now: Tick) {
-        self.note(station, missing, now, now).remember(missing, now, true);
+        let debt = self.note(station, missing, now, now);
+        debt.held = now + HOLD;
+        debt.remember(missing, now, true);
     }
 
     fn note(&mut self, station: u8, missing: &Question, due: Tick, now: Tick) -> &mut Debt {
@@ -199,7 +215,7 @@ impl Debts {
     /// Until when a reply may still come from a station that has answered before and owes one.
     pub(super) fn until(&self) -> impl Iterator<Item = Tick> {
         let owing = self.by_station.iter().filter(|(station, _)| self.heard.contains(station));
-        owing.map(|(_, debt)| debt.since + HOLD)
+        owing.map(|(_, debt)| debt.held)
     }
 }
 

@@ -148,6 +148,11 @@ impl Heard {
         self.surplus.contains(&station)
     }
 
+    /// Whether something warned of copies, of this station or of any.
+    pub(super) fn may_bring_copies(&self, station: u8) -> bool {
+        self.rough || self.has_surplus(station)
+    }
+
     /// More than was asked for comes from a station; another one may be next.
     pub(super) fn sees_surplus(&mut self, station: u8) {
         self.surplus.insert(station);

@@ -59,15 +59,18 @@ pub(super) async fn aftermath(
         match after.as_mut() {
             Some(seen) if is_off => is_undone |= motor.look_again(seen).await,
             Some(_) if is_late && plan.aim == Some(Relief::Zero) => {
-                // Where it does not say anything any more, what it said of its power was true then.
-                after = motor.leave().await.or(after);
+                after = motor.leave().await;
                 standing = motor.stands_at_the_end().await;
-                if let Some(setpoint) = motor.setpoint.as_mut().filter(|_| standing == Some(false)) {
-                    setpoint.reached = Some(false);
-                }
             }
             _ => break,
         }
+    }
+    if plan.aim == Some(Relief::Zero)
+        && standing == Some(false)
+        && let Some(setpoint) = &mut motor.setpoint
+    {
+        // Whatever it was before, somebody turns it now, or it is on its way.
+        setpoint.reached = Some(false);
     }
     if is_undone {
         // What it had come to is over; of one that was said again nobody has seen what comes of it.

@@ -4,7 +4,7 @@ use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, u
 use crate::args::{Settings, called};
 use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
-use crate::drive::motion::{Call, LAST_LOOK, Meant, Motor, Situation, enabled_again, is_enabled, shout_round};
+use crate::drive::motion::{Call, LAST_LOOK, Meant, Motor, Situation, is_enabled, set_going_again, shout_round, turns};
 use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -13,6 +13,9 @@ use crate::profile::Registry;
 use crate::text::{Text, both};
 use crate::tick::Span;
 use std::cell::RefCell;
+
+/// So often all are looked at once more, where one of them was set going again.
+const MOST_ROUNDS: u8 = 4;
 
 /// What came of one drive.
 type Came = Result<Outcome, Failure>;
@@ -98,34 +101,72 @@ async fn stop_line<'p, C>(
             *came = stop_one(&mut session, &mut around, drive, (act, plan()), check, work).await;
         }
     }
-    for (drive, came) in drives.iter().zip(&mut came) {
-        // Who was proven early may be enabled again while the others are.
-        if !waits_for_what_is_owed(&mut session).await || !is_enabled_again(&mut session, registry, came).await {
-            continue;
+    // Who was proven early may be set going again while the others are, and while that one is stopped; so may all behind what a look left owed.
+    for _ in 0..MOST_ROUNDS {
+        if !waits_for_what_is_owed(&mut session).await {
+            break;
         }
-        let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
-        *came = stop_one(&mut session, &mut around, (drive, None, false), (act, plan()), check, work).await;
-        if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came {
-            motion.notes.push(enabled_again());
+        let mut is_over = true;
+        for (drive, one) in drives.iter().zip(&mut came) {
+            let now = now_of(&mut session, registry, act, one).await;
+            if now == Now::Stopped {
+                continue;
+            }
+            is_over = false;
+            let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
+            *one = stop_one(&mut session, &mut around, (drive, None, false), (act, plan()), check, work).await;
+            if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one
+                && now == Now::Moves
+            {
+                motion.notes.push(set_going_again(act));
+            }
+        }
+        if is_over && (session.is_shared() || session.owes_until().is_none()) {
+            break;
         }
     }
     Ok(came)
 }
 
-/// Waits for replies that are still owed: the line is kept for so long anyway. Whether there is time to look once more; who interrupts has none.
+/// Waits for replies that are still owed, if nobody else has the line: it is kept for so long anyway. Whether there is time to look once more;
+/// who interrupts has none.
 async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
-    let left = session.owes_until().map_or(Span::ZERO, |until| until.since(session.now()));
-    let may_look = !session.is_interrupted() && session.presses() == 0 && !session.is_shared();
-    session.end_at(Some(session.now() + left + LAST_LOOK));
-    may_look && session.rest(left).await.is_ok()
+    if session.is_interrupted() || session.presses() > 0 {
+        return false;
+    }
+    let until = session.owes_until().filter(|_| !session.is_shared());
+    let left = until.map_or(Span::ZERO, |until| until.since(session.now()));
+    session.end_at(None);
+    session.rest(left).await.is_ok()
 }
 
-/// Whether a drive that had been seen without power tells that it has it again.
-async fn is_enabled_again(session: &mut Session<'_>, registry: &Registry, came: &Came) -> bool {
-    let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return false };
-    let Some(family) = registry.family(&motion.drive) else { return false };
+/// What a drive does behind its proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Now {
+    /// As it was told; or nothing was proven of it anyway.
+    Stopped,
+    /// Somebody else has set it going.
+    Moves,
+    /// It does not say.
+    Unknown,
+}
+
+/// What a drive does now of which a stop was proven.
+async fn now_of(session: &mut Session<'_>, registry: &Registry, act: Relief, came: &Came) -> Now {
+    let Ok(Outcome { data: Some(Data::Motion(motion)), failure: None, .. }) = came else { return Now::Stopped };
+    let Some(family) = registry.family(&motion.drive) else { return Now::Stopped };
     session.speaks_of(Some(motion.address));
-    motion.running == Some(false) && is_enabled(session, &mut Target::new(motion.address, family)).await
+    session.end_at(Some(session.now() + LAST_LOOK));
+    let mut target = Target::new(motion.address, family);
+    let moves = match act {
+        Relief::Zero => turns(session, &mut target).await,
+        _ => is_enabled(session, &mut target).await,
+    };
+    match moves {
+        Ok(true) => Now::Moves,
+        Ok(false) => Now::Stopped,
+        Err(_) => Now::Unknown,
+    }
 }
 
 /// Refuses a line of another kind among several: nothing is sent on it, and the others are stopped.

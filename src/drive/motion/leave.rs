@@ -3,6 +3,7 @@
 use super::look::{watchdog_seconds, working_raw};
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;
+use crate::gate::Relief;
 use crate::outcome::Decimal;
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -90,7 +91,7 @@ impl Motor<'_, '_> {
 
     /// Somebody else has enabled a drive that had been stopped.
     pub fn notes_enabled_again(&mut self) {
-        self.note_once(enabled_again());
+        self.note_once(set_going_again(Relief::Disable));
     }
 
     /// Tells something at once, and notes it for the end; once, however often it happens.
@@ -115,10 +116,16 @@ impl Motor<'_, '_> {
     }
 }
 
-/// That somebody else has enabled a drive that had been stopped.
-pub fn enabled_again() -> Text {
-    both!(
-        "it was enabled again behind its stop, by somebody else: the stop went out again",
-        "er wurde hinter seinem Halt wieder freigegeben, von jemand anderem: der Halt ging nochmals hinaus"
-    )
+/// That somebody else has set a drive going that had been stopped in this way.
+pub fn set_going_again(act: Relief) -> Text {
+    match act {
+        Relief::Zero => both!(
+            "it was set going again behind its setpoint of 0, by somebody else: the 0 went out again",
+            "er wurde hinter seinem Sollwert 0 wieder in Gang gesetzt, von jemand anderem: die 0 ging nochmals hinaus"
+        ),
+        _ => both!(
+            "it was enabled again behind its stop, by somebody else: the stop went out again",
+            "er wurde hinter seinem Halt wieder freigegeben, von jemand anderem: der Halt ging nochmals hinaus"
+        ),
+    }
 }

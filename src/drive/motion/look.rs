@@ -113,10 +113,10 @@ pub async fn surroundings(session: &mut Session<'_>, target: &mut Target, status
     Ok(situation)
 }
 
-/// Whether a drive tells that it is enabled now.
-pub async fn is_enabled(session: &mut Session<'_>, target: &mut Target) -> bool {
-    let status = status_word(session, target).await;
-    status.is_ok_and(|status| describe::state(&target.family, status).slug == "operation-enabled")
+/// Whether a drive is enabled now.
+pub async fn is_enabled(session: &mut Session<'_>, target: &mut Target) -> Result<bool, Failure> {
+    let status = status_word(session, target).await?;
+    Ok(describe::state(&target.family, status).slug == "operation-enabled")
 }
 
 /// The status word. A drive that refuses it has said nothing of its state, and most likely is another one than was named.

@@ -33,7 +33,7 @@ pub use before::{
 pub use changes::{Keeps, place_name, would_change};
 pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped, what_stops_it};
-pub use leave::{LAST_LOOK, enabled_again};
+pub use leave::{LAST_LOOK, set_going_again};
 pub use look::{
     Situation, is_enabled, look, may_change_mode, role_raw, surroundings, turns, watchdog_raw, watchdog_seconds,
     working, working_raw,

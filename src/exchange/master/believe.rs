@@ -78,7 +78,9 @@ impl Master {
             return None;
         }
         if job.is_fenced() {
-            return (!self.heard.is_copy(at, bytes)).then_some(Weight::Answer);
+            // Where everything that is known was answered a moment ago, there is no other fence.
+            let is_copy = self.heard.is_copy(at, bytes) && self.heard.may_bring_copies(job.station);
+            return (!is_copy).then_some(Weight::Answer);
         }
         Some(self.heard.weigh(&sample, doubtful))
     }
@@ -238,7 +240,7 @@ impl Master {
             self.take(held.at, sent_end, held.said);
             if !is_sure {
                 let due = if copies { sent_end + LATEST_REPLY } else { now };
-                self.debts.owes(station, question, due, now);
+                self.debts.doubts(station, question, due, now);
             }
             return Some(self.step(now));
         }
