@@ -67,7 +67,7 @@ class LV(LXM):
         return super().rd(a)
 def one(seed):
     R=random.Random(seed)
-    fam=R.choice(['acu','acu','act','lxm']); pr='rtu' if fam=='lxm' else R.choice(['rtu','rtu','ascii','vabus'])
+    fam=R.choice(['acu','acu','act','lxm']); fam=os.environ.get('FAM',fam); pr='rtu' if fam=='lxm' else R.choice(['rtu','rtu','ascii','vabus'])
     equal=R.choice([1,1,1,3]); move=R.random()<.5
     if fam=='lxm':
         d=LV(3); d.setup(equal,move)

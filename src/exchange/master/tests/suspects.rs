@@ -182,7 +182,7 @@ fn a_little_noise_before_what_is_said_again_vouches_for_a_station() {
 }
 
 #[test]
-fn the_last_four_harmless_questions_are_known_each_once() {
+fn the_first_and_the_last_three_harmless_questions_are_known_each_once() {
     let mut line = Line::vabus();
     let address = Address::drive(1).unwrap();
     for number in [30, 249, 250, 411, 412, 411] {
@@ -194,7 +194,7 @@ fn the_last_four_harmless_questions_are_known_each_once() {
         Question::Vabus(vabus::Request::Enquiry { header, .. }) => header.number.get(),
         other => panic!("{other:?}"),
     });
-    assert_eq!(numbers.collect::<Vec<_>>(), [411, 412, 250, 249]);
+    assert_eq!(numbers.collect::<Vec<_>>(), [411, 412, 250, 30]);
 }
 
 /// A line on which the answer to this was overtaken, and that is known to mix telegrams up, or not.
