@@ -4,7 +4,7 @@
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
 //!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of any
 //!   other they are asked for again, until it has said the same of two things: the first copy of all may come in
-//!   place of an answer.
+//!   place of an answer. From then on the usual time of an answer is waited for, in case the true one comes.
 //! * Where none has come, an answer that comes sooner than this station has ever answered is waited
 //!   upon for as long as the true one may take. On a quiet line this costs nothing.
 
@@ -22,6 +22,8 @@ const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
+/// Nor behind the words of another answer for longer than this: a station that was slow once would cost that for each value.
+const CLOSE_BEHIND: Span = Span::from_millis(40);
 /// So long a copy is listened for that was never heard, because it met our questions: they go out 2 ms behind an answer.
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
@@ -229,6 +231,8 @@ impl Heard {
         let soon = pace.is_some_and(|pace| sample.after + TOLERANCE_US < pace.fastest);
         let slowest = pace.map_or(0, |pace| pace.slowest);
         let slowest = Span::from_micros(u64::try_from(slowest).unwrap_or(0)).min(LONGEST_HOLD) + MARGIN;
+        // The true answer comes at its usual time, and costs what is left of that.
+        let close_behind = Span::from_micros(u64::try_from(sample.after).unwrap_or(0)) + CLOSE_BEHIND;
         let is_new = !self.is_copy(sample.at, sample.bytes);
         let other = self.is_anothers(sample.at, sample.bytes, sample.question);
         let late = pace.is_some_and(|pace| sample.after > pace.slowest + DAWDLE_US);
@@ -239,6 +243,7 @@ impl Heard {
             (false, true) => Weight::Stale(slowest),
             (false, false) if other && sample.again && self.may_copy(sample, soon) => Weight::Again,
             (true, _) if late && sample.again && sample.confused => Weight::Again,
+            (false, false) if other && !(sample.hastens || sample.named) => Weight::Wait(slowest.min(close_behind)),
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
         }
@@ -350,16 +355,17 @@ mod tests {
         assert_eq!(weigh(&heard, &asked, 15_000), Weight::Answer, "the same of the same");
         assert!(matches!(weigh(&heard, &asked, 5_000), Weight::Wait(_)));
         let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };
-        assert_eq!(heard.weigh(&once, false), Weight::Answer);
+        assert!(matches!(heard.weigh(&once, false), Weight::Wait(_)));
         heard.vouches(2);
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Again);
         heard.vouches(1);
-        assert_eq!(weigh(&heard, &other, 15_000), Weight::Answer);
+        let wait = Weight::Wait(Span::from_millis(35));
+        assert_eq!(weigh(&heard, &other, 15_000), wait, "the true one may come at its time");
         assert_eq!(weigh(&heard, &other, 5_000), Weight::Again, "sooner than ever it takes two");
         heard.sees_trouble();
         assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Again; 2]);
         heard.vouches(1);
-        assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Answer; 2]);
+        assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [wait, Weight::Answer]);
     }
 
     #[test]
@@ -381,7 +387,7 @@ mod tests {
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
         (0..ALIKE).for_each(|_| heard.vouches(1));
-        assert_eq!(weigh(&heard), Weight::Answer);
+        assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(35)));
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));
     }
