@@ -2,7 +2,7 @@
 
 use super::done::{Done, Seen, has_power};
 use super::{Plan, nothing_stops_it, verdict};
-use crate::drive::motion::{Ended, Motor, Situation, coasting, watchdog_words};
+use crate::drive::motion::{Ended, Motor, Situation, Unseen, coasting, watchdog_words};
 use crate::drive::{Target, describe};
 use crate::gate::Relief;
 use crate::outcome::{Data, Motion, Outcome, State, Stop};
@@ -42,7 +42,7 @@ pub(super) async fn aftermath(
     };
     let mut is_undone = standing == Some(false) && ended.stop.as_ref().is_some_and(|stop| stop.standing == Some(true));
     let is_relieved = plan.aim.is_some_and(|aim| aim != Relief::Zero) && (!is_on || ended.result.is_ok());
-    let unseen = match plan.aim {
+    let mut unseen = match plan.aim {
         Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),
         _ => None,
     };
@@ -52,7 +52,7 @@ pub(super) async fn aftermath(
     for nth in 0..most {
         // Beside others the time is theirs as well.
         let may_wait = ended.stop.is_some() || (plan.aim.is_some() && !motor.is_beside());
-        let is_late = may_wait && motor.waits_for_what_is_owed().await;
+        let is_late = may_wait && (motor.waits_for_what_is_owed().await || motor.looked_long_ago());
         if !is_late && (nth > 0 || (standing == Some(true) && !is_on)) {
             break;
         }
@@ -66,15 +66,18 @@ pub(super) async fn aftermath(
         }
     }
     if plan.aim == Some(Relief::Zero)
-        && standing == Some(false)
+        && (standing == Some(false) || (standing.is_none() && motor.is_beside()))
         && let Some(setpoint) = &mut motor.setpoint
     {
-        // Whatever it was before, somebody turns it now, or it is on its way.
-        setpoint.reached = Some(false);
+        // Whatever it was before, somebody turns it now, or it is on its way; beside others it is not known any more.
+        setpoint.reached = standing;
     }
     if is_undone {
         // What it had come to is over; of one that was said again nobody has seen what comes of it.
         standing = standing.filter(|stands| !stands);
+        if plan.aim.is_some() && !after.as_ref().is_some_and(has_power) {
+            unseen.get_or_insert_with(set_going_at_the_end);
+        }
         if let Some(stop) = &mut ended.stop {
             (stop.acknowledged, stop.standing) = (false, standing);
         }
@@ -174,4 +177,13 @@ fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>) -> 
 /// A quick stop that has brought the shaft to rest and holds it there.
 fn is_held(after: Option<&Situation>, standing: Option<bool>) -> bool {
     after.is_some_and(|seen| seen.state == "quick-stop-active") && standing == Some(true)
+}
+
+/// Somebody has set it going in the last moment: it was told to stop once more, and what came of that nobody has seen.
+fn set_going_at_the_end() -> Unseen {
+    let why = both!(
+        "somebody else has set it going at the end of its stop: stop that, and say the stop again",
+        "jemand anderes hat ihn am Ende seines Halts in Gang gesetzt: das abstellen, und den Halt noch einmal geben"
+    );
+    Unseen { why, as_set: false }
 }

@@ -12,10 +12,13 @@ use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
 use crate::tick::Span;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// So often all are looked at once more, where one of them was set going again.
 const MOST_ROUNDS: u8 = 4;
+/// So long is waited between rounds while other ports are not through, and for them.
+const BEAT: Span = Span::from_millis(100);
+const LONGEST_WAIT: Span = Span::from_secs(120);
 
 /// What came of one drive.
 type Came = Result<Outcome, Failure>;
@@ -43,11 +46,10 @@ pub(in crate::command) async fn stop_each<'p, C>(
     interrupt.hear_only_keys();
     let (registry, interrupt, what) = (*registry, &*interrupt, (act, &plan, &check, &work));
     if settings.lines.is_empty() {
-        let came = stop_line((settings, registry, interrupt), *observe, what).await?;
+        let alone = Others { busy: &Cell::new(0), counts: Cell::new(false), waits: false };
+        let came = stop_line((settings, registry, interrupt), *observe, &alone, what).await?;
         return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(came)));
     }
-    let stop =
-        async |line: &Settings, tell: &mut dyn FnMut(Event)| stop_line((line, registry, interrupt), tell, what).await;
     // One file holds one line, and a second one would not be opened.
     let unrecorded = |line: &Settings| Settings { trace: None, ..line.clone() };
     let lines: Vec<Settings> = settings.lines.iter().map(unrecorded).collect();
@@ -55,6 +57,16 @@ pub(in crate::command) async fn stop_each<'p, C>(
         let note = both!("not recorded: one file holds one line", "nicht aufgezeichnet: eine Datei fasst eine Leitung");
         (observe)(Event::Note(note));
     }
+    let ports = lines.chunk_by(|one, other| one.port == other.port);
+    let last: Vec<*const Settings> = ports.filter_map(<[Settings]>::last).map(std::ptr::from_ref).collect();
+    let busy = Cell::new(last.len());
+    let stop = async |line: &Settings, tell: &mut dyn FnMut(Event)| {
+        let is_last = last.contains(&std::ptr::from_ref(line));
+        let others = Others { busy: &busy, counts: Cell::new(is_last), waits: is_last };
+        let came = stop_line((line, registry, interrupt), tell, &others, what).await;
+        others.is_done();
+        came
+    };
     let came = side_by_side(&lines, *observe, stop).await;
     let mut each = Vec::new();
     for (line, came) in settings.lines.iter().zip(came) {
@@ -69,6 +81,7 @@ pub(in crate::command) async fn stop_each<'p, C>(
 async fn stop_line<'p, C>(
     (settings, registry, interrupt): (&Settings, &Registry, &Interrupt),
     observe: &mut dyn FnMut(Event),
+    others: &Others<'_>,
     (act, plan, check, work): (
         Relief,
         &impl Fn() -> Plan<'p>,
@@ -101,18 +114,23 @@ async fn stop_line<'p, C>(
             *came = stop_one(&mut session, &mut around, drive, (act, plan()), check, work).await;
         }
     }
-    // Who was proven early may be set going again while the others are, and while that one is stopped; so may all behind what a look left owed.
-    for _ in 0..MOST_ROUNDS {
+    others.is_done();
+    // Who was proven early may be set going again while the others are, and while that one is stopped; so may all behind a look that took long.
+    let mut rounds = 0;
+    let end = session.now() + LONGEST_WAIT;
+    while rounds < MOST_ROUNDS {
+        let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(&mut session).await {
             break;
         }
         let mut is_over = true;
         for (drive, one) in drives.iter().zip(&mut came) {
+            let begun = session.now();
             let now = now_of(&mut session, registry, act, one).await;
+            is_over &= now == Now::Stopped && session.now().since(begun) <= usual_look(act);
             if now == Now::Stopped {
                 continue;
             }
-            is_over = false;
             let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
             *one = stop_one(&mut session, &mut around, (drive, None, false), (act, plan()), check, work).await;
             if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one
@@ -121,11 +139,48 @@ async fn stop_line<'p, C>(
                 motion.notes.push(set_going_again(act));
             }
         }
+        if is_early {
+            session.end_at(None);
+            if session.rest(BEAT).await.is_err() {
+                break;
+            }
+            tokio::task::yield_now().await;
+            continue;
+        }
         if is_over && (session.is_shared() || session.owes_until().is_none()) {
             break;
         }
+        rounds += 1;
     }
     Ok(came)
+}
+
+/// A look at a drive takes no longer, unless an answer is late; whether a shaft turns takes several.
+fn usual_look(act: Relief) -> Span {
+    Span::from_millis(if act == Relief::Zero { 400 } else { 150 })
+}
+
+/// The other ports, whose drives are stopped at the same time.
+struct Others<'a> {
+    /// So many ports are not through yet.
+    busy: &'a Cell<usize>,
+    /// This one is counted among them.
+    counts: Cell<bool>,
+    /// Its drives are looked at until all are through: it is the last line of its port.
+    waits: bool,
+}
+
+impl Others<'_> {
+    /// The drives of this line are proven, or were not reached.
+    fn is_done(&self) {
+        if self.counts.replace(false) {
+            self.busy.set(self.busy.get().saturating_sub(1));
+        }
+    }
+
+    fn are_busy(&self) -> bool {
+        self.waits && self.busy.get() > 0
+    }
 }
 
 /// Waits for replies that are still owed, if nobody else has the line: it is kept for so long anyway. Whether there is time to look once more;

@@ -13,6 +13,8 @@ const RETURNS: u8 = 3;
 const MOMENT: Span = Span::from_millis(150);
 /// So much time a look behind what was owed has where that of the stop is over: an answer may be held for 0.6 s.
 pub const LAST_LOOK: Span = Span::from_millis(1_500);
+/// What was seen so long ago is looked at once more: an answer to something else took long.
+const LONG_AGO: Span = Span::from_millis(200);
 
 impl Motor<'_, '_> {
     /// Waits for replies that are still owed, unless somebody is in a hurry, or has interrupted more than once; whether there were any. The line is kept for so long anyway,
@@ -26,6 +28,12 @@ impl Motor<'_, '_> {
         let left = until.since(self.session.now());
         self.session.ends_later(left + LAST_LOOK);
         self.rest(left).await.is_ok()
+    }
+
+    /// Whether the drive was asked for its state some time ago only.
+    pub fn looked_long_ago(&self) -> bool {
+        let may_look = !self.hurried && !self.unheard && self.session.presses() < 2;
+        may_look && self.asked_at.is_some_and(|at| self.session.now().since(at) > LONG_AGO)
     }
 
     /// Whether others talk over the line too.
@@ -112,6 +120,7 @@ impl Motor<'_, '_> {
             Some(raw) => Some(raw),
             None => working_raw(self.session, self.target, "watchdog").await.ok().flatten(),
         };
+        self.target.known_watchdog = raw;
         raw.map(|raw| watchdog_seconds(&family, raw))
     }
 }

@@ -133,6 +133,8 @@ pub struct Motor<'a, 's> {
     seen: Option<String>,
     /// The status word that was told last, and when.
     shown: Option<(u32, Tick)>,
+    /// When it was asked for that.
+    asked_at: Option<Tick>,
     /// Whether the shaft stood when that was last waited for, and nothing was written since.
     still: Option<Option<bool>>,
     /// When the drive answered last.
@@ -241,6 +243,7 @@ impl<'a, 's> Motor<'a, 's> {
             word: 0,
             seen: None,
             shown: None,
+            asked_at: None,
             still: None,
             heard: now,
             gap: Span::ZERO,
@@ -363,8 +366,9 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn status(&mut self) -> Result<u32, Failure> {
+        let asked_at = self.session.now();
         let status = self.bear(async |motor: &mut Self| motor.status_word().await).await?;
-        self.shown = Some((status, self.session.now()));
+        (self.shown, self.asked_at) = (Some((status, self.session.now())), Some(asked_at));
         self.sees_status(status);
         self.notes_contacts(status);
         let state = describe::state(&self.target.family, status).slug;

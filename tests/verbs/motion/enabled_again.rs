@@ -136,3 +136,28 @@ fn a_drive_that_was_proven_early_is_looked_at_once_more_behind_the_others() {
     }
     assert!(told > 2, "{told}");
 }
+
+/// One of the last answers takes long, but comes in its time: nothing is owed, and what the drive did meanwhile is seen all the same.
+#[test]
+fn a_slow_answer_at_the_end_of_a_stop_hides_no_enabling() {
+    let mut turned = 0;
+    for verb in ["disable", "quick-stop"] {
+        let line = format!("-v -b 115200 -a 1 --drive acu statemachine {verb}");
+        let calm = ran(Span::from_secs(1), &line, &drive(RUNNING, "")).exits(0).sent().len() as u64;
+        let before = witness::left().unwrap().0.totals().received - calm;
+        for nth in calm - 4..=calm {
+            let nth = before + nth;
+            let late = format!("[[disturb]]\nonce = {nth}\nkind = \"late\"\nby = \"400ms\"\n");
+            let event = format!("[[drive.event]]\nafter_telegrams = {nth}\nset = {{ \"410\" = 15 }}\n");
+            let run = ran(Span::from_secs(1), &line, &drive(RUNNING, &format!("{event}{late}"))).json();
+            let (mut bench, at) = witness::left().unwrap();
+            bench.advance(at);
+            let now = bench.totals();
+            let seen = format!("{verb} {nth}: {} {} {:#} {}", now.energised, now.turning, run.value, run.err);
+            turned += usize::from(run.err.contains("by somebody else"));
+            assert!(now.energised == 0 || run.exit != 0, "{seen}");
+            assert!(now.turning == 0 || run.exit != 0, "{seen}");
+        }
+    }
+    assert!(turned > 3, "{turned}");
+}
