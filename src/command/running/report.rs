@@ -52,7 +52,7 @@ pub(super) async fn aftermath(
     for nth in 0..most {
         // Beside others the time is theirs as well.
         let may_wait = ended.stop.is_some() || (plan.aim.is_some() && !motor.is_beside());
-        let is_late = may_wait && (motor.waits_for_what_is_owed().await || motor.looked_long_ago());
+        let is_late = may_wait && (motor.waits_for_what_is_owed().await || (nth == 0 && motor.looked_long_ago()));
         if !is_late && (nth > 0 || (standing == Some(true) && !is_on)) {
             break;
         }

@@ -30,10 +30,14 @@ impl Motor<'_, '_> {
         self.rest(left).await.is_ok()
     }
 
-    /// Whether the drive was asked for its state some time ago only.
-    pub fn looked_long_ago(&self) -> bool {
+    /// Whether the drive was asked for its state some time ago only; then there is time to ask once more.
+    pub fn looked_long_ago(&mut self) -> bool {
         let may_look = !self.hurried && !self.unheard && self.session.presses() < 2;
-        may_look && self.asked_at.is_some_and(|at| self.session.now().since(at) > LONG_AGO)
+        let is_old = may_look && self.asked_at.is_some_and(|at| self.session.now().since(at) > LONG_AGO);
+        if is_old {
+            self.session.ends_later(LAST_LOOK);
+        }
+        is_old
     }
 
     /// Whether others talk over the line too.
