@@ -235,6 +235,8 @@ impl Heard {
         let close_behind = Span::from_micros(u64::try_from(sample.after).unwrap_or(0)) + CLOSE_BEHIND;
         let is_new = !self.is_copy(sample.at, sample.bytes);
         let other = self.is_anothers(sample.at, sample.bytes, sample.question);
+        // It was the answer to this a moment ago as well: a copy would say nothing else.
+        let own = self.like(sample.at, sample.bytes).any(|old| old.answered.as_ref() == Some(sample.question));
         let late = pace.is_some_and(|pace| sample.after > pace.slowest + DAWDLE_US);
         let surplus = self.has_surplus(sample.station);
         match (is_new, surplus || doubtful || late) {
@@ -243,7 +245,9 @@ impl Heard {
             (false, true) => Weight::Stale(slowest),
             (false, false) if other && sample.again && self.may_copy(sample, soon) => Weight::Again,
             (true, _) if late && sample.again && sample.confused => Weight::Again,
-            (false, false) if other && !(sample.hastens || sample.named) => Weight::Wait(slowest.min(close_behind)),
+            (false, false) if other && !(own || sample.hastens || sample.named) => {
+                Weight::Wait(slowest.min(close_behind))
+            }
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
         }
