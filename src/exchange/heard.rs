@@ -23,7 +23,7 @@ const DAWDLE_US: i64 = 20_000;
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
 /// Nor behind the words of another answer for longer than this: a station that was slow once would cost that for each value.
-const CLOSE_BEHIND: Span = Span::from_millis(40);
+const CLOSE_BEHIND: Span = Span::from_millis(10);
 /// So long a copy is listened for that was never heard, because it met our questions: they go out 2 ms behind an answer.
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
@@ -363,7 +363,7 @@ mod tests {
         heard.vouches(2);
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Again);
         heard.vouches(1);
-        let wait = Weight::Wait(Span::from_millis(35));
+        let wait = Weight::Wait(Span::from_millis(25));
         assert_eq!(weigh(&heard, &other, 15_000), wait, "the true one may come at its time");
         assert_eq!(weigh(&heard, &other, 5_000), Weight::Again, "sooner than ever it takes two");
         heard.sees_trouble();
@@ -391,7 +391,7 @@ mod tests {
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
         (0..ALIKE).for_each(|_| heard.vouches(1));
-        assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(35)));
+        assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(25)));
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));
     }
