@@ -71,29 +71,24 @@ pub(super) struct Debts {
 impl Debts {
     /// A station owes the reply to a question, which is due at a time.
     pub(super) fn owes(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
-        let debt = self.note(station, &missing, due, now);
-        debt.held = now + HOLD;
-        debt.remember(&missing, now, false);
+        self.note(station, &missing, due, now, HOLD).remember(&missing, now, false);
     }
 
     /// What was taken for the reply may have been an older one, and none came behind it: most likely nothing more will, but what comes all
     /// the same is no answer to something else.
     pub(super) fn doubts(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
-        let debt = self.note(station, &missing, due, now);
-        debt.held = debt.held.max(now + HOLD_DOUBTED);
-        debt.remember(&missing, now, false);
+        self.note(station, &missing, due, now, HOLD_DOUBTED).remember(&missing, now, false);
     }
 
     /// A question was answered by garbage, which most likely was the reply.
     pub(super) fn may_owe(&mut self, station: u8, missing: &Question, now: Tick) {
-        let debt = self.note(station, missing, now, now);
-        debt.held = now + HOLD;
-        debt.remember(missing, now, true);
+        self.note(station, missing, now, now, HOLD).remember(missing, now, true);
     }
 
-    fn note(&mut self, station: u8, missing: &Question, due: Tick, now: Tick) -> &mut Debt {
+    fn note(&mut self, station: u8, missing: &Question, due: Tick, now: Tick, hold: Span) -> &mut Debt {
         let debt = self.by_station.entry(station).or_default();
         debt.since = now;
+        debt.held = debt.held.max(now + hold);
         debt.due = debt.due.max(due);
         debt.owed = debt.owed.saturating_add(1);
         debt.missing.retain(|old| old.question != *missing && now < old.since + LATEST_OF_ALL);
