@@ -56,6 +56,7 @@ pub(super) async fn aftermath(
         if !is_late && (nth > 0 || (standing == Some(true) && !is_on)) {
             break;
         }
+        let heard_at = motor.heard_at();
         match after.as_mut() {
             Some(seen) if is_off => is_undone |= motor.look_again(seen).await,
             Some(_) if is_late && plan.aim == Some(Relief::Zero) => {
@@ -63,6 +64,10 @@ pub(super) async fn aftermath(
                 standing = motor.stands_at_the_end().await;
             }
             _ => break,
+        }
+        if motor.heard_at() == heard_at {
+            // Who does not say that will not say more either.
+            break;
         }
     }
     if plan.aim == Some(Relief::Zero)

@@ -95,11 +95,14 @@ async fn stop_line<'p, C>(
     let drives = meant(settings, registry, addresses)?;
     let (calls, pressed) = shout_round(&mut session, registry, &drives, act).await;
     let calls: RefCell<Vec<Option<Call<'_>>>> = RefCell::new(calls.into_iter().map(Some).collect());
+    let stop = async |session: &mut Session<'_>, drive: &Meant, call: Option<Call<'_>>, pressed: bool| {
+        let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
+        stop_one(session, &mut around, (drive, call, pressed), (act, plan()), check, work).await
+    };
     let one = async |session: &mut Session<'_>, at: usize| {
         let call = calls.borrow_mut().get_mut(at).and_then(Option::take);
         let Some(drive) = drives.get(at) else { return Ok(Outcome::default()) };
-        let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
-        stop_one(session, &mut around, (drive, call, pressed), (act, plan()), check, work).await
+        stop(session, drive, call, pressed).await
     };
     let mut came: Vec<Came> = session.side_by_side(addresses, one).await;
     for (drive, came) in drives.iter().zip(&mut came) {
@@ -109,30 +112,40 @@ async fn stop_line<'p, C>(
         }
         session.speaks_of(Some(drive.address));
         if is_there(&mut session, drive.address).await {
-            let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
-            let drive = (drive, None, false);
-            *came = stop_one(&mut session, &mut around, drive, (act, plan()), check, work).await;
+            *came = stop(&mut session, drive, None, false).await;
         }
     }
     others.is_done();
-    // Who was proven early may be set going again while the others are, and while that one is stopped; so may all behind a look that took long.
+    let again = async |session: &mut Session<'_>, drive: &Meant| stop(session, drive, None, false).await;
+    look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
+    Ok(came)
+}
+
+/// Looks at all once more behind the last proof, and stops anew who moves or does not say: who was proven early may be set going again while
+/// the others are, and while that one is stopped; so may all behind a look that took long.
+async fn look_behind(
+    session: &mut Session<'_>,
+    (registry, act): (&Registry, Relief),
+    others: &Others<'_>,
+    (drives, came): (&[Meant], &mut [Came]),
+    stop: impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
+) {
     let mut rounds = 0;
     let end = session.now() + LONGEST_WAIT;
     while rounds < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
-        if !waits_for_what_is_owed(&mut session).await {
+        if !waits_for_what_is_owed(session).await {
             break;
         }
         let mut is_over = true;
-        for (drive, one) in drives.iter().zip(&mut came) {
+        for (drive, one) in drives.iter().zip(came.iter_mut()) {
             let begun = session.now();
-            let now = now_of(&mut session, registry, act, one).await;
+            let now = now_of(session, registry, act, one).await;
             is_over &= now == Now::Stopped && session.now().since(begun) <= usual_look(act);
             if now == Now::Stopped {
                 continue;
             }
-            let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
-            *one = stop_one(&mut session, &mut around, (drive, None, false), (act, plan()), check, work).await;
+            *one = stop(session, drive).await;
             if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one
                 && now == Now::Moves
             {
@@ -147,12 +160,11 @@ async fn stop_line<'p, C>(
             tokio::task::yield_now().await;
             continue;
         }
-        if is_over && (session.is_shared() || session.owes_until().is_none()) {
+        if is_over && (session.is_shared() || session.owes_for().is_none()) {
             break;
         }
         rounds += 1;
     }
-    Ok(came)
 }
 
 /// A look at a drive takes no longer, unless an answer is late; whether a shaft turns takes several.
@@ -189,8 +201,7 @@ async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
     if session.is_interrupted() || session.presses() > 0 {
         return false;
     }
-    let until = session.owes_until().filter(|_| !session.is_shared());
-    let left = until.map_or(Span::ZERO, |until| until.since(session.now()));
+    let left = session.owes_for().filter(|_| !session.is_shared()).unwrap_or(Span::ZERO);
     session.end_at(None);
     session.rest(left).await.is_ok()
 }

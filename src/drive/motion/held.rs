@@ -214,7 +214,7 @@ impl Motor<'_, '_> {
                 Err(failure) if cut && failure.is_unheard() => continue,
                 seen => seen?,
             };
-            looked = self.shown.map_or(now, |(_, at)| at);
+            looked = self.shown.map_or(now, |shown| shown.told);
             let takes = now.since(asked);
             self.expects_answers_within(takes);
             // What is given again and the look at the state come in time behind it.

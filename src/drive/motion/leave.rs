@@ -1,12 +1,12 @@
 //! What is known of the drive as the program leaves: only what is reported, and in one short time.
 
 use super::look::{watchdog_seconds, working_raw};
-use super::{Lever, Motor, Situation};
+use super::{Lever, Motor, Shown, Situation};
 use crate::drive::describe;
 use crate::gate::Relief;
 use crate::outcome::Decimal;
 use crate::text::{Text, both};
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 
 /// So often it is looked whether a drive stays without power that somebody else has enabled again, and so long is waited between.
 const RETURNS: u8 = 3;
@@ -17,27 +17,32 @@ pub const LAST_LOOK: Span = Span::from_millis(1_500);
 const LONG_AGO: Span = Span::from_millis(200);
 
 impl Motor<'_, '_> {
-    /// Waits for replies that are still owed, unless somebody is in a hurry, or has interrupted more than once; whether there were any. The line is kept for so long anyway,
-    /// and what is looked at behind that is seen as late as may be.
+    /// Waits for replies that are still owed; whether there were any, and there is time to look behind them. The line is kept for so long
+    /// anyway, and what is looked at behind that is seen as late as may be.
     pub async fn waits_for_what_is_owed(&mut self) -> bool {
-        let Some(until) =
-            self.session.owes_until().filter(|_| !self.hurried && !self.unheard && self.session.presses() < 2)
-        else {
-            return false;
-        };
-        let left = until.since(self.session.now());
+        let Some(left) = self.session.owes_for().filter(|_| self.has_time()) else { return false };
         self.session.ends_later(left + LAST_LOOK);
         self.rest(left).await.is_ok()
     }
 
     /// Whether the drive was asked for its state some time ago only; then there is time to ask once more.
     pub fn looked_long_ago(&mut self) -> bool {
-        let may_look = !self.hurried && !self.unheard && self.session.presses() < 2;
-        let is_old = may_look && self.asked_at.is_some_and(|at| self.session.now().since(at) > LONG_AGO);
+        let is_old =
+            self.has_time() && self.shown.is_some_and(|shown| self.session.now().since(shown.asked) > LONG_AGO);
         if is_old {
             self.session.ends_later(LAST_LOOK);
         }
         is_old
+    }
+
+    /// Whether nobody is in a hurry, or has interrupted more than once, and the drive still answers.
+    fn has_time(&self) -> bool {
+        !self.hurried && !self.unheard && self.session.presses() < 2
+    }
+
+    /// When it answered last.
+    pub fn heard_at(&self) -> Tick {
+        self.heard
     }
 
     /// Whether others talk over the line too.
@@ -50,7 +55,7 @@ impl Motor<'_, '_> {
     pub async fn leave(&mut self) -> Option<Situation> {
         let status = match (self.status().await, self.shown) {
             (Ok(status), _) => status,
-            (Err(failure), Some((status, _))) if self.is_off() => {
+            (Err(failure), Some(Shown { status, .. })) if self.is_off() => {
                 self.tell_lost(&failure);
                 status
             }

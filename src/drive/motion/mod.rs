@@ -131,10 +131,8 @@ pub struct Motor<'a, 's> {
     word: u16,
     /// Slug of the state that was seen last, if no control word was written since.
     seen: Option<String>,
-    /// The status word that was told last, and when.
-    shown: Option<(u32, Tick)>,
-    /// When it was asked for that.
-    asked_at: Option<Tick>,
+    /// The status word that was told last.
+    shown: Option<Shown>,
     /// Whether the shaft stood when that was last waited for, and nothing was written since.
     still: Option<Option<bool>>,
     /// When the drive answered last.
@@ -193,6 +191,14 @@ pub struct Motor<'a, 's> {
     pub watched: Option<Watched>,
 }
 
+/// A status word that was told.
+#[derive(Clone, Copy, Debug)]
+struct Shown {
+    status: u32,
+    asked: Tick,
+    told: Tick,
+}
+
 /// How a run ended.
 #[derive(Debug)]
 pub struct Ended<T> {
@@ -243,7 +249,6 @@ impl<'a, 's> Motor<'a, 's> {
             word: 0,
             seen: None,
             shown: None,
-            asked_at: None,
             still: None,
             heard: now,
             gap: Span::ZERO,
@@ -366,9 +371,9 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn status(&mut self) -> Result<u32, Failure> {
-        let asked_at = self.session.now();
+        let asked = self.session.now();
         let status = self.bear(async |motor: &mut Self| motor.status_word().await).await?;
-        (self.shown, self.asked_at) = (Some((status, self.session.now())), Some(asked_at));
+        self.shown = Some(Shown { status, asked, told: self.session.now() });
         self.sees_status(status);
         self.notes_contacts(status);
         let state = describe::state(&self.target.family, status).slug;

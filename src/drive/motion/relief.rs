@@ -4,7 +4,7 @@ use super::lacking::no_control;
 use super::look::working_raw;
 use super::passing::Look;
 use super::still::{QUICK_STOP, STILL_TURNING, STOPPED};
-use super::{Lever, Motor, Situation, StopChoice, has_power};
+use super::{Lever, Motor, Shown, Situation, StopChoice, has_power};
 use crate::drive::describe;
 use crate::exchange::ExchangeError;
 use crate::failure::{Class, Failure, unanswered_stop};
@@ -313,13 +313,13 @@ impl Motor<'_, '_> {
     /// Whether the drive was seen without power at the last look since its stop began.
     pub(super) fn is_off(&self) -> bool {
         let slug = |status| describe::state(&self.target.family, status).slug;
-        self.stopping && self.shown.is_some_and(|(status, _)| has_power(&slug(status)) == Some(false))
+        self.stopping && self.shown.is_some_and(|shown| has_power(&slug(shown.status)) == Some(false))
     }
 
     /// The stop is proven; what was asked behind it brought no answer.
     pub(super) fn tell_lost(&mut self, failure: &Failure) {
         // What was seen may be of another one.
-        let Some((_, at)) = self.shown.filter(|_| self.twins().is_none()) else { return };
+        let Some(Shown { told: at, .. }) = self.shown.filter(|_| self.twins().is_none()) else { return };
         let ago = self.session.now().since(at).as_millis();
         self.notes.push(both!(
             "seen without power {ago} ms before the end; not read after that: {why}",

@@ -61,9 +61,10 @@ impl Session<'_> {
         }
     }
 
-    /// Until when a reply may still come that somebody owes. The line is kept for so long, whoever leaves.
-    pub fn owes_until(&self) -> Option<Tick> {
-        self.line.borrow().master.owes_until(self.now())
+    /// How long a reply may still come that somebody owes. The line is kept for so long, whoever leaves.
+    pub fn owes_for(&self) -> Option<Span> {
+        let now = self.now();
+        self.line.borrow().master.owes_until(now).map(|until| until.since(now))
     }
 
     /// Whether a station was asked for what an earlier master left there.
