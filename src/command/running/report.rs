@@ -37,7 +37,7 @@ pub(super) async fn aftermath(
     let mut standing = match &ended.stop {
         Some(stop) if after.is_none() => stop.standing,
         Some(stop) if stop.standing == Some(true) && !is_on && motor.stays_still() => stop.standing,
-        _ if after.is_some() => motor.stands_at_the_end().await,
+        _ if after.is_some() => stands(motor, plan, &mut after).await,
         _ => None,
     };
     let mut is_undone = standing == Some(false) && ended.stop.as_ref().is_some_and(|stop| stop.standing == Some(true));
@@ -57,13 +57,13 @@ pub(super) async fn aftermath(
             break;
         }
         let heard_at = motor.heard_at();
-        match after.as_mut() {
-            Some(seen) if is_off => is_undone |= motor.look_again(seen).await,
-            Some(_) if is_late && plan.aim == Some(Relief::Zero) => {
-                after = motor.leave().await;
-                standing = motor.stands_at_the_end().await;
-            }
-            _ => break,
+        if after.is_some() && is_off {
+            is_undone |= motor.look_again(&mut after).await;
+        } else if after.is_some() && is_late && plan.aim == Some(Relief::Zero) {
+            after = motor.leave().await;
+            standing = stands(motor, plan, &mut after).await;
+        } else {
+            break;
         }
         if motor.heard_at() == heard_at {
             // Who does not say that will not say more either.
@@ -71,10 +71,10 @@ pub(super) async fn aftermath(
         }
     }
     if plan.aim == Some(Relief::Zero)
-        && (standing == Some(false) || (standing.is_none() && motor.is_beside()))
+        && (standing == Some(false) || (standing.is_none() && (motor.is_beside() || after.is_none())))
         && let Some(setpoint) = &mut motor.setpoint
     {
-        // Whatever it was before, somebody turns it now, or it is on its way; beside others it is not known any more.
+        // Whatever it was before, somebody turns it now, or it is on its way; beside others, or without an answer, it is not known any more.
         setpoint.reached = standing;
     }
     if is_undone {
@@ -102,6 +102,15 @@ pub(super) async fn aftermath(
         twins: motor.twins(),
     };
     (done, after)
+}
+
+/// Whether the shaft stands now. At a setpoint of 0 that is the proof: without an answer to it nothing is known of the drive.
+async fn stands(motor: &mut Motor<'_, '_>, plan: &Plan<'_>, after: &mut Option<Situation>) -> Option<bool> {
+    let stands = motor.stands_at_the_end().await;
+    if stands.is_err() && plan.aim == Some(Relief::Zero) {
+        *after = None;
+    }
+    stands.ok().flatten()
 }
 
 pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended<()>) -> Outcome {

@@ -1,8 +1,9 @@
 //! What is known of the drive as the program leaves: only what is reported, and in one short time.
 
 use super::look::{watchdog_seconds, working_raw};
-use super::{Lever, Motor, Shown, Situation};
+use super::{ENDING, ENDING_ALONE, Lever, Motor, Shown, Situation, Stop, StopChoice};
 use crate::drive::describe;
+use crate::failure::Failure;
 use crate::gate::Relief;
 use crate::outcome::Decimal;
 use crate::text::{Text, both};
@@ -15,6 +16,17 @@ const MOMENT: Span = Span::from_millis(150);
 pub const LAST_LOOK: Span = Span::from_millis(1_500);
 /// What was seen so long ago is looked at once more: an answer to something else took long.
 const LONG_AGO: Span = Span::from_millis(200);
+
+/// So long a look goes on behind the last answer where others speak.
+const PURSUED_LOOK: Span = Span::from_secs(5);
+
+/// A look that brought no answer.
+#[derive(Debug)]
+pub(super) struct Lost {
+    pub(super) failure: Failure,
+    /// Telegrams came that were none: others speak, and may have enabled the drive.
+    to_others: bool,
+}
 
 impl Motor<'_, '_> {
     /// Waits for replies that are still owed; whether there were any, and there is time to look behind them. The line is kept for so long
@@ -51,11 +63,11 @@ impl Motor<'_, '_> {
     }
 
     /// What the drive says as the program leaves. Where it says nothing more, what was seen last still tells that it was
-    /// without power; `None` if nothing does.
+    /// without power; `None` if nothing does, also where others speak meanwhile, who may have enabled it.
     pub async fn leave(&mut self) -> Option<Situation> {
-        let status = match (self.status().await, self.shown) {
+        let status = match (self.through_others(async |motor: &mut Self| motor.status().await).await, self.shown) {
             (Ok(status), _) => status,
-            (Err(failure), Some(Shown { status, .. })) if self.is_off() => {
+            (Err(Lost { failure, to_others: false }), Some(Shown { status, .. })) if self.is_off() => {
                 self.tell_lost(&failure);
                 status
             }
@@ -71,19 +83,61 @@ impl Motor<'_, '_> {
         Some(Situation { status, state, fault, watchdog_s, ..Situation::default() })
     }
 
+    /// Looks once more where others were heard in this run and no answer comes, as long as the drive was heard shortly before.
+    pub(super) async fn through_others<T>(
+        &mut self,
+        mut look: impl AsyncFnMut(&mut Self) -> Result<T, Failure>,
+    ) -> Result<T, Lost> {
+        let before = self.session.tally().strays;
+        loop {
+            let failure = match look(self).await {
+                Ok(seen) => return Ok(seen),
+                Err(failure) => failure,
+            };
+            let strays = self.session.tally().strays;
+            let is_pursued = strays > self.strays && self.session.now().since(self.heard) <= PURSUED_LOOK;
+            if !is_pursued || !self.has_time() {
+                return Err(Lost { failure, to_others: strays > before });
+            }
+            self.session.ends_later(LAST_LOOK);
+        }
+    }
+
+    /// Sends the stop once more to a drive that could not be reached before, and runs.
+    ///
+    /// In the way that was said last, and whoever did not wait for that is not kept waiting for this either.
+    pub async fn stop_after_all(&mut self, stop: &Stop) -> Stop {
+        let Stop { choice, escalated, because, .. } = *stop;
+        let stop = self.stop(StopChoice::of(escalated.unwrap_or(choice)), because).await;
+        let stop = Stop { choice, escalated: stop.escalated.or(escalated), ..stop };
+        self.session.insist(false);
+        let gives_back = self.may_give_back(Some(&stop)) && !(self.hurried && self.unheard);
+        self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
+        self.give_back(gives_back).await;
+        stop
+    }
+
     /// A drive that had been seen without power may have got it again while its shaft was looked at: then its stop is said once more, and
-    /// what it shows a moment later counts. Whether it was said.
-    pub async fn look_again(&mut self, seen: &mut Situation) -> bool {
+    /// what it shows a moment later counts. Whether it was said; nothing is `seen` any more where it gives no answer while others speak.
+    pub async fn look_again(&mut self, seen: &mut Option<Situation>) -> bool {
         let mut is_said = false;
         if self.again.is_none() && self.lever == Lever::ControlWord {
             // What the run gave has gone back; only the word that takes the power is left.
             self.again = self.control_word().ok().map(|param| (param, 0));
         }
         for nth in 0..RETURNS {
-            let Ok(status) = self.status().await else { break };
+            let status = match self.through_others(async |motor: &mut Self| motor.status().await).await {
+                Ok(status) => status,
+                Err(lost) => {
+                    seen.take_if(|_| lost.to_others);
+                    break;
+                }
+            };
             let state = describe::state(&self.target.family, status).slug;
             let is_on = state == "operation-enabled";
-            (seen.status, seen.state) = (status, state);
+            if let Some(seen) = seen {
+                (seen.status, seen.state) = (status, state);
+            }
             if !is_on || nth + 1 == RETURNS {
                 break;
             }

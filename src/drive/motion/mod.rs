@@ -114,6 +114,8 @@ pub struct Motor<'a, 's> {
     ending: Option<Option<Blind>>,
     /// Answers that were doubted when the stop began.
     doubts: u64,
+    /// Telegrams that were no answers, before the run.
+    strays: u64,
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
     /// A quick stop went out in it.
@@ -221,7 +223,7 @@ impl<'a, 's> Motor<'a, 's> {
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
         let guard = guard(target, target.known_watchdog);
-        let (now, heeded) = (session.now(), session.presses());
+        let (now, heeded, strays) = (session.now(), session.presses(), session.tally().strays);
         Motor {
             session,
             target,
@@ -239,6 +241,7 @@ impl<'a, 's> Motor<'a, 's> {
             encoder: None,
             ending: None,
             doubts: 0,
+            strays,
             stopping: false,
             said_quick_stop: false,
             had_power: false,
@@ -347,20 +350,6 @@ impl<'a, 's> Motor<'a, 's> {
             self.give_back(self.may_give_back(stop.as_ref())).await;
         }
         Ended { result, stop }
-    }
-
-    /// Sends the stop once more to a drive that could not be reached before, and runs.
-    ///
-    /// In the way that was said last, and whoever did not wait for that is not kept waiting for this either.
-    pub async fn stop_after_all(&mut self, stop: &Stop) -> Stop {
-        let Stop { choice, escalated, because, .. } = *stop;
-        let stop = self.stop(StopChoice::of(escalated.unwrap_or(choice)), because).await;
-        let stop = Stop { choice, escalated: stop.escalated.or(escalated), ..stop };
-        self.session.insist(false);
-        let gives_back = self.may_give_back(Some(&stop)) && !(self.hurried && self.unheard);
-        self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
-        self.give_back(gives_back).await;
-        stop
     }
 
     /// What the drive says now.

@@ -128,15 +128,15 @@ impl Motor<'_, '_> {
         self.still == Some(Some(true))
     }
 
-    /// Whether the shaft stands as the program leaves; `None` if nothing tells, the line included. A standstill that was
+    /// Whether the shaft stands as the program leaves; `None` if the drive does not tell. A standstill that was
     /// proven of a drive without power stays proven.
-    pub async fn stands_at_the_end(&mut self) -> Option<bool> {
+    pub async fn stands_at_the_end(&mut self) -> Result<Option<bool>, Failure> {
         match self.still {
-            Some(still) if self.is_off() && still != Some(false) => still,
-            _ => match self.stands_now().await {
+            Some(still) if self.is_off() && still != Some(false) => Ok(still),
+            _ => match self.through_others(async |motor: &mut Self| motor.stands_now().await).await {
                 // What was seen to stand stands, also where a later answer is lost.
-                Err(_) if self.is_off() && !self.sight.by_setting => self.sight.standing().filter(|stands| *stands),
-                stands => stands.ok().flatten(),
+                Err(_) if self.is_off() && !self.sight.by_setting => Ok(self.sight.standing().filter(|stands| *stands)),
+                stands => stands.map_err(|lost| lost.failure),
             },
         }
     }
