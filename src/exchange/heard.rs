@@ -4,7 +4,8 @@
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
 //!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of any
 //!   other they are asked for again, until it has said the same of two things: the first copy of all may come in
-//!   place of an answer. From then on the usual time of an answer is waited for, in case the true one comes.
+//!   place of an answer. From then on the usual time of an answer is waited for, in case the true one comes,
+//!   until that has come a few times to nothing.
 //! * Where none has come, an answer that comes sooner than this station has ever answered is waited
 //!   upon for as long as the true one may take. On a quiet line this costs nothing.
 
@@ -22,8 +23,9 @@ const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
-/// Nor behind the words of another answer for longer than this: a station that was slow once would cost that for each value.
-const CLOSE_BEHIND: Span = Span::from_millis(10);
+/// So often no other answer must have come behind words of another one, until none is waited for any more: a station that was slow once
+/// would cost that for each value.
+const ALONE: u8 = 6;
 /// So long a copy is listened for that was never heard, because it met our questions: they go out 2 ms behind an answer.
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
@@ -66,6 +68,8 @@ pub(super) struct Heard {
     rough: bool,
     /// How often a station said in the words of another answer what it then said again.
     alike: BTreeMap<u8, u8>,
+    /// How often nothing came behind words of another answer.
+    alone: BTreeMap<u8, u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
@@ -199,6 +203,12 @@ impl Heard {
         *alike = alike.saturating_add(1);
     }
 
+    /// Behind words of another answer nothing came in its usual time.
+    pub(super) fn comes_alone(&mut self, station: u8) {
+        let alone = self.alone.entry(station).or_default();
+        *alone = alone.saturating_add(1);
+    }
+
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
     /// answer that is late or lost. What must not wait, and where values have names, doubts that only where something went wrong before,
     /// or they come sooner than any answer.
@@ -229,10 +239,11 @@ impl Heard {
     pub(super) fn weigh(&self, sample: &Sample<'_>, doubtful: bool) -> Weight {
         let pace = self.paces.get(&(sample.station, sample.function));
         let soon = pace.is_some_and(|pace| sample.after + TOLERANCE_US < pace.fastest);
-        let slowest = pace.map_or(0, |pace| pace.slowest);
-        let slowest = Span::from_micros(u64::try_from(slowest).unwrap_or(0)).min(LONGEST_HOLD) + MARGIN;
-        // The true answer comes at its usual time, and costs what is left of that.
-        let close_behind = Span::from_micros(u64::try_from(sample.after).unwrap_or(0)) + CLOSE_BEHIND;
+        let hold = |micros| Span::from_micros(u64::try_from(micros).unwrap_or(0)).min(LONGEST_HOLD) + MARGIN;
+        let slowest = hold(pace.map_or(0, |pace| pace.slowest));
+        // Whose answers differ in time by so much may take so much longer still.
+        let slower = hold(pace.map_or(0, |pace| 2 * pace.slowest - pace.fastest));
+        let is_trusted = self.alone.get(&sample.station).is_some_and(|&alone| alone >= ALONE);
         let is_new = !self.is_copy(sample.at, sample.bytes);
         let other = self.is_anothers(sample.at, sample.bytes, sample.question);
         // It was the answer to this a moment ago as well: a copy would say nothing else.
@@ -245,9 +256,7 @@ impl Heard {
             (false, true) => Weight::Stale(slowest),
             (false, false) if other && sample.again && self.may_copy(sample, soon) => Weight::Again,
             (true, _) if late && sample.again && sample.confused => Weight::Again,
-            (false, false) if other && !(own || sample.hastens || sample.named) => {
-                Weight::Wait(slowest.min(close_behind))
-            }
+            (false, false) if other && !(own || is_trusted || sample.hastens || sample.named) => Weight::Wait(slower),
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
         }
@@ -363,13 +372,18 @@ mod tests {
         heard.vouches(2);
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Again);
         heard.vouches(1);
-        let wait = Weight::Wait(Span::from_millis(25));
-        assert_eq!(weigh(&heard, &other, 15_000), wait, "the true one may come at its time");
+        let wait = Weight::Wait(Span::from_millis(55));
+        assert_eq!(weigh(&heard, &other, 15_000), wait, "the true one may come later than ever");
         assert_eq!(weigh(&heard, &other, 5_000), Weight::Again, "sooner than ever it takes two");
         heard.sees_trouble();
         assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Again; 2]);
         heard.vouches(1);
         assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [wait, Weight::Answer]);
+        (1..ALONE).for_each(|_| heard.comes_alone(1));
+        heard.comes_alone(2);
+        assert_eq!(weigh(&heard, &other, 15_000), wait);
+        heard.comes_alone(1);
+        assert_eq!(weigh(&heard, &other, 15_000), Weight::Answer, "none ever came behind one");
     }
 
     #[test]
@@ -391,7 +405,7 @@ mod tests {
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
         (0..ALIKE).for_each(|_| heard.vouches(1));
-        assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(25)));
+        assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(55)));
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));
     }

@@ -272,8 +272,7 @@ fn replies_in_pieces_cost_their_pauses_and_nothing_more() {
         {
             for protocol in Protocol::ALL {
                 let ratio = ratio(protocol, &name, weather);
-                // The words of another answer wait for a moment.
-                assert!(ratio < 1.2, "{protocol} {name}: {ratio:.2}");
+                assert!(ratio < 1.05, "{protocol} {name}: {ratio:.2}");
             }
         }
     }
@@ -281,7 +280,7 @@ fn replies_in_pieces_cost_their_pauses_and_nothing_more() {
     for (name, weather) in rough("late, in pieces", both) {
         for protocol in Protocol::ALL {
             let ratio = ratio(protocol, &name, weather);
-            assert!(ratio < 1.2, "{protocol} {name}: {ratio:.2}");
+            assert!(ratio < 1.1, "{protocol} {name}: {ratio:.2}");
         }
     }
 }

@@ -230,11 +230,14 @@ impl Master {
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for, or as another answer, with pieces beside it that may be
         // what an adapter has handed over of the true one: once more, then it is believed.
-        let copied = is_left && self.heard.is_anothers(held.at, &held.bytes, job.asks());
-        let is_doubted = is_sure && (self.heard.has_surplus(station) || copied) && job.rounds == 0;
+        let is_anothers = self.heard.is_anothers(held.at, &held.bytes, job.asks());
+        let is_doubted = is_sure && (self.heard.has_surplus(station) || is_left && is_anothers) && job.rounds == 0;
         let is_stale = matches!(held.weight, Weight::Stale(_));
         if !is_doubted && (is_sure || is_stale) {
             (job.doubted, job.noisy) = (held.doubted || spoilt, false);
+            if is_sure && is_anothers {
+                self.heard.comes_alone(station);
+            }
             let copies = self.heard.has_surplus(station);
             self.reply(held.at, sent_end, &held.bytes, is_sure || !copies);
             self.take(held.at, sent_end, held.said);
