@@ -17,8 +17,9 @@ pub const LAST_LOOK: Span = Span::from_millis(1_500);
 /// What was seen so long ago is looked at once more: an answer to something else took long.
 const LONG_AGO: Span = Span::from_millis(200);
 
-/// So long a look goes on behind the last answer where others speak.
+/// So long a look goes on behind the last answer where others speak, and so often.
 const PURSUED_LOOK: Span = Span::from_secs(5);
+const MOST_LOOKS: u8 = 4;
 
 /// A look that brought no answer.
 #[derive(Debug)]
@@ -88,15 +89,16 @@ impl Motor<'_, '_> {
         &mut self,
         mut look: impl AsyncFnMut(&mut Self) -> Result<T, Failure>,
     ) -> Result<T, Lost> {
-        let before = self.session.tally().strays;
+        let (before, mut looks) = (self.session.tally().strays, 0);
         loop {
+            looks += 1;
             let failure = match look(self).await {
                 Ok(seen) => return Ok(seen),
                 Err(failure) => failure,
             };
             let strays = self.session.tally().strays;
-            let is_pursued = strays > self.strays && self.session.now().since(self.heard) <= PURSUED_LOOK;
-            if !is_pursued || !self.has_time() {
+            let is_near = strays > self.strays && self.session.now().since(self.heard) <= PURSUED_LOOK;
+            if looks == MOST_LOOKS || !failure.is_unheard() || !is_near || !self.has_time() {
                 return Err(Lost { failure, to_others: strays > before });
             }
             self.session.ends_later(LAST_LOOK);
