@@ -15,7 +15,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Hazard, Permit, Writes, Writing};
 use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError};
-use crate::profile::{Family, HazardKind, Param, Role, Selector, Type};
+use crate::profile::{Family, HazardKind, Param, Role, Selector, Store, Type};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -260,7 +260,37 @@ fn steps(args: &Args, family: &Family, terms: &Terms<'_>) -> Result<Vec<Step>, F
         let here = |step: Step| Step { param: terms.on_line(family, &step.param), ..step };
         steps.extend(assigned(args, family, who, what)?.into_iter().map(here));
     }
+    once_each(&steps)?;
     cutting_last(steps, family, (terms.own_address(), terms.speech.node))
+}
+
+/// Refuses what would be overwritten by something behind it: data set 0 is all four, and what is stored goes into the RAM as well (CM-485 manual 7).
+fn once_each(steps: &[Step]) -> Result<(), Failure> {
+    let covers = |later: &Step, step: &Step| {
+        let ((all, store), (one, other)) = (describe::place(later.set), describe::place(step.set));
+        (all == 0 || all == one) && (store == Store::Eeprom || store == other)
+    };
+    for (nth, step) in steps.iter().enumerate() {
+        let later = steps.iter().skip(nth + 1).find(|later| later.param.id == step.param.id && covers(later, step));
+        let Some(later) = later else { continue };
+        let place = |step: &Step| match (step.param.label(), describe::place(step.set)) {
+            (label, (0, Store::Eeprom)) => label,
+            (label, (0, Store::Ram)) => format!("{label}@ram"),
+            (label, (set, Store::Eeprom)) => format!("{label}@{set}"),
+            (label, (set, Store::Ram)) => format!("{label}@{set}ram"),
+        };
+        let message = both!(
+            "{first} would be overwritten by {then} behind it: nothing was sent",
+            "{first} würde von {then} dahinter überschrieben: es wurde nichts gesendet",
+            first = place(step),
+            then = place(later)
+        );
+        return Err(Failure::new(Class::Usage, "usage.twice", message).hint(both!(
+            "name each place once; a value for all data sets goes before that for one",
+            "jede Stelle einmal nennen; ein Wert für alle Datensätze steht vor dem für einen"
+        )));
+    }
+    Ok(())
 }
 
 /// One of them: a step for each parameter and data set that it names.

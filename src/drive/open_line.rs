@@ -4,6 +4,7 @@ use super::account::Account;
 use super::interrupt::Interrupt;
 use super::pump::{self, PumpError};
 use crate::exchange::{Answer, Conversation, ExchangeError, Limits, Master, Question, Record, Verdict};
+use crate::files::of_system;
 use crate::outcome::Event;
 use crate::text::both;
 use crate::tick::Tick;
@@ -39,8 +40,9 @@ impl<'a> OpenLine<'a> {
         let outcome = pump::run(&mut self.master, &mut self.link, interrupt, ends_at).await;
         if let Some(error) = self.link.take_trace_error() {
             self.account.tell(Event::Note(both!(
-                "the recording (--trace) ends here: {error}",
-                "die Aufzeichnung (--trace) endet hier: {error}"
+                "the recording (--trace) ends here: {why}",
+                "die Aufzeichnung (--trace) endet hier: {why}",
+                why = of_system(&error)
             )));
         }
         let records = self.master.take_records();

@@ -104,10 +104,20 @@ pub(super) async fn aftermath(
     (done, after)
 }
 
-/// Whether the shaft stands now. At a setpoint of 0 that is the proof: without an answer to it nothing is known of the drive.
+/// Whether the shaft stands now. At a setpoint of 0 that is the proof: without an answer to it nothing is known of the drive; and to one that had
+/// come to its standstill, and that somebody else has set going since, it is given once more.
 async fn stands(motor: &mut Motor<'_, '_>, plan: &Plan<'_>, after: &mut Option<Situation>) -> Option<bool> {
-    let stands = motor.stands_at_the_end().await;
-    if stands.is_err() && plan.aim == Some(Relief::Zero) {
+    let mut stands = motor.stands_at_the_end().await;
+    let Some(zero) = plan.setpoint.as_ref().filter(|_| plan.aim == Some(Relief::Zero)) else {
+        return stands.ok().flatten();
+    };
+    let had_stood = motor.setpoint.as_ref().is_some_and(|setpoint| setpoint.reached == Some(true));
+    if matches!(stands, Ok(Some(false))) && had_stood {
+        motor.zero_again(zero).await;
+        *after = motor.leave().await;
+        stands = motor.stands_at_the_end().await;
+    }
+    if stands.is_err() {
         *after = None;
     }
     stands.ok().flatten()

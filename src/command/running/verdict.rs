@@ -12,6 +12,8 @@ use crate::text::{Text, both};
 
 /// A shaft that nobody saw standing may coast.
 const STANDSTILL_UNPROVEN: &str = "forbidden.standstill_unproven";
+/// Nor may one that was seen to.
+const STILL_COASTING: &str = "forbidden.still_coasting";
 
 /// The failure of a run; `None` only if the final state is the one that was promised.
 pub(super) fn of(
@@ -42,7 +44,8 @@ pub(super) fn of(
         (None, _) => broken_promise(plan, family, seen, running, done.standing)
             .or_else(|| other_stop(done))
             .or_else(|| unseen_relief(plan, done))
-            .or_else(|| not_standing(plan, family, done.setpoint.as_ref()))
+            .or_else(|| still_coasting(plan, done))
+            .or_else(|| not_standing(plan, family, running, done.setpoint.as_ref()))
             .or_else(|| not_given_back(plan, &done.changed)),
     };
     let failure = failure.or_else(|| done.twins.clone());
@@ -248,13 +251,35 @@ fn fault(plan: &Plan<'_>, seen: &Seen) -> Option<u32> {
     Some(after.fault.unwrap_or(0) as u32)
 }
 
+/// A drive that was to come to rest, and whose shaft turns without power: somebody else had enabled it meanwhile.
+fn still_coasting(plan: &Plan<'_>, done: &Done) -> Option<Failure> {
+    let must_rest = matches!(plan.aim?, Relief::QuickStop | Relief::Disable) && done.standing == Some(false);
+    must_rest.then(|| {
+        let text = both!(
+            "the drive is without power, but the shaft still turns",
+            "der Antrieb ist ohne Strom, aber die Welle dreht noch"
+        );
+        warned(Failure::new(Class::Forbidden, STILL_COASTING, text))
+    })
+}
+
 /// A setpoint of zero at which the shaft turns on.
-fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>) -> Option<Failure> {
-    let turns = plan.aim == Some(Relief::Zero) && setpoint?.reached == Some(false);
+fn not_standing(
+    plan: &Plan<'_>,
+    family: &Family,
+    running: Option<bool>,
+    setpoint: Option<&Setpoint>,
+) -> Option<Failure> {
+    let setpoint = setpoint?;
+    let is_lifted = setpoint.effective.is_some_and(|makes| makes.raw != 0) && running == Some(true);
+    let turns = match plan.aim {
+        Some(aim) => aim == Relief::Zero && setpoint.reached == Some(false),
+        None => setpoint.value.raw == 0 && is_lifted && !plan.runs && !plan.args.hold,
+    };
     turns.then(|| {
         let text =
             both!("the setpoint is 0, but the shaft turns on", "der Sollwert ist 0, aber die Welle dreht weiter");
-        Failure::new(Class::No, "no.not_standing", text).hint(both!(
+        warned(Failure::new(Class::No, "no.not_standing", text)).hint(both!(
             "{stops}; {why}",
             "{stops}; {why}",
             stops = how_to_stop(family),

@@ -100,7 +100,10 @@ pub async fn prepare(
             }
         }
         check_found(step, target)?;
-        if row.old_raw == Some(step.raw) && !force {
+        // What is written to its parameter before it changes it too, in all data sets or in the RAM.
+        let stands =
+            !rows.iter().any(|other: &Written| other.param == row.param && other.result == WriteResult::Planned);
+        if row.old_raw == Some(step.raw) && stands && !force {
             let in_ram = in_ram(session, target, &step.param, &[step.set]).await.map_err(nothing_sent)?;
             if in_ram.iter().all(|(_, raw)| *raw == step.raw) {
                 row.result = WriteResult::Unchanged;

@@ -6,6 +6,7 @@ use crate::drive::describe;
 use crate::failure::Failure;
 use crate::gate::Relief;
 use crate::outcome::Decimal;
+use crate::profile::Param;
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 
@@ -19,7 +20,7 @@ const LONG_AGO: Span = Span::from_millis(200);
 
 /// So long a look goes on behind the last answer where others speak, and so often.
 const PURSUED_LOOK: Span = Span::from_secs(5);
-const MOST_LOOKS: u8 = 4;
+const MOST_LOOKS: u64 = 4;
 
 /// A look that brought no answer.
 #[derive(Debug)]
@@ -84,7 +85,8 @@ impl Motor<'_, '_> {
         Some(Situation { status, state, fault, watchdog_s, ..Situation::default() })
     }
 
-    /// Looks once more where others were heard in this run and no answer comes, as long as the drive was heard shortly before.
+    /// Looks once more where no answer comes although others were heard in this run, or the drive answers, slowly; as long as it was heard
+    /// shortly before.
     pub(super) async fn through_others<T>(
         &mut self,
         mut look: impl AsyncFnMut(&mut Self) -> Result<T, Failure>,
@@ -92,16 +94,19 @@ impl Motor<'_, '_> {
         let (before, mut looks) = (self.session.tally().strays, 0);
         loop {
             looks += 1;
+            let heard = self.heard;
             let failure = match look(self).await {
                 Ok(seen) => return Ok(seen),
                 Err(failure) => failure,
             };
             let strays = self.session.tally().strays;
-            let is_near = strays > self.strays && self.session.now().since(self.heard) <= PURSUED_LOOK;
+            let is_there = strays > self.strays || self.heard > heard;
+            let is_near = is_there && self.session.now().since(self.heard) <= PURSUED_LOOK;
             if looks == MOST_LOOKS || !failure.is_unheard() || !is_near || !self.has_time() {
                 return Err(Lost { failure, to_others: strays > before });
             }
-            self.session.ends_later(LAST_LOOK);
+            // A slow drive needs longer for all of it.
+            self.session.ends_later(Span::from_micros(LAST_LOOK.as_micros() * looks));
         }
     }
 
@@ -160,6 +165,16 @@ impl Motor<'_, '_> {
             }
         }
         is_said
+    }
+
+    /// Gives a setpoint of 0 once more to a drive that somebody else has set going behind its standstill, and waits for that again.
+    pub async fn zero_again(&mut self, param: &Param) {
+        let Some(mode) = self.mode.clone() else { return };
+        self.note_once(set_going_again(Relief::Zero));
+        self.ends_within(ENDING);
+        // What does not come of it is seen by the look behind it.
+        let _ = self.relieve_setpoint(&mode, param).await;
+        self.ends_within(ENDING_ALONE);
     }
 
     /// Somebody else has enabled a drive that had been stopped.
