@@ -21,6 +21,8 @@ const LONG_AGO: Span = Span::from_millis(200);
 /// So long a look goes on behind the last answer where others speak, and so often.
 const PURSUED_LOOK: Span = Span::from_secs(5);
 const MOST_LOOKS: u64 = 4;
+/// What takes the power away ends in 20 s, of which its first words may take 6: so long behind them no last look is begun any more.
+const LAST_LOOKS: Span = Span::from_millis(11_500);
 
 /// A look that brought no answer.
 #[derive(Debug)]
@@ -49,9 +51,22 @@ impl Motor<'_, '_> {
         is_old
     }
 
-    /// Whether nobody is in a hurry, or has interrupted more than once, and the drive still answers.
+    /// Whether nobody is in a hurry, or has interrupted more than once, the drive still answers, and there is time for a look.
     fn has_time(&self) -> bool {
-        !self.hurried && !self.unheard && self.session.presses() < 2
+        let is_late = self.relieved_for().is_some_and(|past| past > LAST_LOOKS);
+        !self.hurried && !self.unheard && !is_late && self.session.presses() < 2
+    }
+
+    /// The last looks may take so much longer, in theirs.
+    fn gets_time(&mut self, looks: u64) {
+        let needs = Span::from_micros(LAST_LOOK.as_micros() * looks);
+        let left = self.relieved_for().map(|past| LAST_LOOKS + LAST_LOOK - past);
+        self.session.ends_later(left.map_or(needs, |left| left.min(needs)));
+    }
+
+    /// How long ago what has taken the power away was said, or the shaft was seen to become slower by it.
+    fn relieved_for(&self) -> Option<Span> {
+        self.relieving.filter(|_| self.is_off()).map(|since| self.session.now().since(since))
     }
 
     /// When it answered last.
@@ -91,7 +106,11 @@ impl Motor<'_, '_> {
         &mut self,
         mut look: impl AsyncFnMut(&mut Self) -> Result<T, Failure>,
     ) -> Result<T, Lost> {
-        let (before, mut looks) = (self.session.tally().strays, 0);
+        // A slow drive needs longer for all of it.
+        let (before, mut looks) = (self.session.tally().strays, if self.first_word.is_late { 2 } else { 0 });
+        if looks > 0 && self.has_time() {
+            self.gets_time(looks + 1);
+        }
         loop {
             looks += 1;
             let heard = self.heard;
@@ -105,8 +124,7 @@ impl Motor<'_, '_> {
             if looks == MOST_LOOKS || !failure.is_unheard() || !is_near || !self.has_time() {
                 return Err(Lost { failure, to_others: strays > before });
             }
-            // A slow drive needs longer for all of it.
-            self.session.ends_later(Span::from_micros(LAST_LOOK.as_micros() * looks));
+            self.gets_time(looks);
         }
     }
 
