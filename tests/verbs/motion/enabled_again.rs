@@ -161,3 +161,25 @@ fn a_slow_answer_at_the_end_of_a_stop_hides_no_enabling() {
     }
     assert!(turned > 3, "{turned}");
 }
+
+/// A setpoint of 0 whose shaft somebody else sets going in the last looks is given once more, and stands in the end, or is told.
+#[test]
+fn a_shaft_that_is_set_going_in_the_last_looks_at_its_zero_is_given_that_once_more() {
+    let bench = |event: &str| {
+        drive("\"412\" = 1, \"410\" = 15, \"434\" = 2, \"484\" = 5, \"418\" = 0", event).replace("\"1ms\"", "\"20ms\"")
+    };
+    let line = "-v -b 115200 -a 1 --drive acu sollwert 0";
+    let calm = antrieb(line).on(&bench("")).exits(0).sent();
+    let mut again = 0;
+    for after in calm.len() - 8..calm.len() {
+        let event = format!("[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"484\" = 3000 }}");
+        let run = antrieb(line).on(&bench(&event)).json();
+        let (mut now, at) = witness::left().unwrap();
+        now.advance(at);
+        let seen = format!("{after} of {}: {} {:#} {}", calm.len(), now.totals().turning, run.value, run.err);
+        let told = run.err.contains("THE SHAFT MAY STILL TURN");
+        assert!(now.totals().turning == 0 || (run.exit != 0 && told) || after + 2 >= calm.len(), "{seen}");
+        again += usize::from(run.data("/notes").to_string().contains("set going again") && run.exit == 0);
+    }
+    assert!(again > 0);
+}

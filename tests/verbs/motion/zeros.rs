@@ -75,3 +75,12 @@ fn a_stop_word_that_is_written_names_the_verb() {
     let other = antrieb("-b 115200 -a 1 --yes write 410=7").on(&inverter(1, 2, 0)).exits(0);
     assert!(!other.err.contains("statemachine"), "{}", other.err);
 }
+
+/// Whoever takes the other sources away and gives 0 is told that the shaft turns on all the same.
+#[test]
+fn a_zero_that_the_drive_lifts_is_no_success_whoever_chose_its_source() {
+    let bench = "[[drive]]\nmodel = \"acu\"\nset = { \"228\" = 10 }\n[drive.readings]\nother_modes = \"contacts\"\n";
+    let document = antrieb("-a 1 --yes sollwert 0 --source line").on(bench).json().exits(1);
+    assert_eq!(document.error()["code"], "no.not_standing");
+    assert!(document.err.contains("THE SHAFT MAY STILL TURN"), "{}", document.err);
+}

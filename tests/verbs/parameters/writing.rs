@@ -37,6 +37,22 @@ fn without_a_terminal_nothing_is_sent_unless_yes() {
 }
 
 #[test]
+fn what_the_same_command_has_changed_before_is_no_unchanged_value() {
+    // All sets have 5 Hz.
+    let document = antrieb("-p sim -a 1 --yes write 480=6 480@2=5").json().exits(0);
+    assert_eq!(results(&document), ["480@0 eeprom verified", "480@2 eeprom verified"]);
+}
+
+#[test]
+fn what_would_be_overwritten_by_something_behind_it_is_refused() {
+    for twice in ["480@2=5 480=6", "481=7 481=10", "482@ram=7 482=25", "480@2=5 480@2=6"] {
+        let document = antrieb(&format!("-p sim -a 1 --yes -v write {twice}")).json().exits(2);
+        assert_eq!(document.error()["code"], "usage.twice", "{twice}");
+    }
+    antrieb("-p sim -a 1 --yes write 482=24 482@ram=7 480@1=6 480@2=7").exits(0);
+}
+
+#[test]
 fn a_no_is_a_no() {
     for answer in ["n", "", "no", "maybe", "j", "yess"] {
         let run = antrieb("-p sim -a 1 -v write 480@1=6").answered(answer).exits(8);
