@@ -15,7 +15,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Hazard, Permit, Writes, Writing};
 use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError};
-use crate::profile::{Family, HazardKind, Param, Role, Selector, Store, Type};
+use crate::profile::{DataSets, Family, HazardKind, Param, Role, Selector, Store, Type};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -273,11 +273,9 @@ fn once_each(steps: &[Step]) -> Result<(), Failure> {
     for (nth, step) in steps.iter().enumerate() {
         let later = steps.iter().skip(nth + 1).find(|later| later.param.id == step.param.id && covers(later, step));
         let Some(later) = later else { continue };
-        let place = |step: &Step| match (step.param.label(), describe::place(step.set)) {
-            (label, (0, Store::Eeprom)) => label,
-            (label, (0, Store::Ram)) => format!("{label}@ram"),
-            (label, (set, Store::Eeprom)) => format!("{label}@{set}"),
-            (label, (set, Store::Ram)) => format!("{label}@{set}ram"),
+        let place = |step: &Step| match (step.param.label(), describe::sets(step.set)) {
+            (label, DataSets::One(0, Store::Eeprom)) => label,
+            (label, sets) => format!("{label}@{sets}"),
         };
         let message = both!(
             "{first} would be overwritten by {then} behind it: nothing was sent",

@@ -82,7 +82,7 @@ impl Motor<'_, '_> {
     /// What the drive says as the program leaves. Where it says nothing more, what was seen last still tells that it was
     /// without power; `None` if nothing does, also where others speak meanwhile, who may have enabled it.
     pub async fn leave(&mut self) -> Option<Situation> {
-        let status = match (self.through_others(async |motor: &mut Self| motor.status().await).await, self.shown) {
+        let status = match (self.last_status().await, self.shown) {
             (Ok(status), _) => status,
             (Err(Lost { failure, to_others: false }), Some(Shown { status, .. })) if self.is_off() => {
                 self.tell_lost(&failure);
@@ -98,6 +98,11 @@ impl Motor<'_, '_> {
         };
         let watchdog_s = self.watchdog_in_force().await;
         Some(Situation { status, state, fault, watchdog_s, ..Situation::default() })
+    }
+
+    /// The status word as the program leaves.
+    async fn last_status(&mut self) -> Result<u32, Lost> {
+        self.through_others(async |motor: &mut Self| motor.status().await).await
     }
 
     /// Looks once more where no answer comes although others were heard in this run, or the drive answers, slowly; as long as it was heard
@@ -151,7 +156,7 @@ impl Motor<'_, '_> {
             self.again = self.control_word().ok().map(|param| (param, 0));
         }
         for nth in 0..RETURNS {
-            let status = match self.through_others(async |motor: &mut Self| motor.status().await).await {
+            let status = match self.last_status().await {
                 Ok(status) => status,
                 Err(lost) => {
                     seen.take_if(|_| lost.to_others);
