@@ -61,6 +61,12 @@ impl Target {
         Target { order, ..self }
     }
 
+    /// The same, as one that was greeted before in this run.
+    #[must_use]
+    pub fn greeted(self) -> Self {
+        Target { introduced: true, ..self }
+    }
+
     /// The way to this drive on the line of the session. Before the first question it is greeted.
     pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
         let usual = Route::new(session.protocol(), &self.family.link, self.address);

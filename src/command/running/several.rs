@@ -11,7 +11,7 @@ use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use std::cell::{Cell, RefCell};
 
 /// So often all are looked at once more, where one of them was set going again.
@@ -132,24 +132,41 @@ async fn look_behind(
 ) {
     let mut rounds = 0;
     let end = session.now() + LONGEST_WAIT;
+    let addresses: Vec<u8> = drives.iter().map(|drive| drive.address).collect();
+    let mut targets = Vec::new();
+    session.hastens();
+    for one in came.iter() {
+        targets.push(Cell::new(proven(session, registry, one).await));
+    }
     while rounds < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session).await {
             break;
         }
+        // In turns, so that each is seen last as late as all of them allow: a position takes several looks.
+        let look = async |session: &mut Session<'_>, at: usize| now_of(session, act, targets.get(at)).await;
+        let seen = session.side_by_side(&addresses, look).await;
+        let mut oldest = session.now();
         let mut is_over = true;
-        for (drive, one) in drives.iter().zip(came.iter_mut()) {
-            let begun = session.now();
-            let now = now_of(session, registry, act, one).await;
-            is_over &= now == Now::Stopped && session.now().since(begun) <= usual_look(act);
-            if now == Now::Stopped {
+        for (((drive, one), target), now) in drives.iter().zip(came.iter_mut()).zip(&targets).zip(seen) {
+            let now = match now {
+                // Somebody slow says nothing in turns that are short.
+                Now::Unknown => now_of(session, act, Some(target)).await,
+                now => now,
+            };
+            if let Now::Stopped(at) = now {
+                oldest = at.map_or(oldest, |at| at.min(oldest));
                 continue;
             }
+            is_over = false;
             *one = stop(session, drive).await;
             if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one
                 && now == Now::Moves
             {
                 motion.notes.push(set_going_again(act));
+            }
+            if !is_proven(one) {
+                target.take();
             }
         }
         if is_early {
@@ -160,6 +177,7 @@ async fn look_behind(
             tokio::task::yield_now().await;
             continue;
         }
+        is_over &= session.now().since(oldest) <= usual_round(drives.len());
         if is_over && (session.is_shared() || session.owes_for().is_none()) {
             break;
         }
@@ -167,9 +185,10 @@ async fn look_behind(
     }
 }
 
-/// A look at a drive takes no longer, unless an answer is late; whether a shaft turns takes several.
-fn usual_look(act: Relief) -> Span {
-    Span::from_millis(if act == Relief::Zero { 400 } else { 150 })
+/// Behind a look at so many drives, each was seen as lately as this, unless an answer was late.
+fn usual_round(drives: usize) -> Span {
+    const EACH: Span = Span::from_millis(40);
+    Span::from_micros(EACH.as_micros() * drives as u64).longer(Span::from_millis(200))
 }
 
 /// The other ports, whose drives are stopped at the same time.
@@ -209,28 +228,48 @@ async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
 /// What a drive does behind its proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Now {
-    /// As it was told; or nothing was proven of it anyway.
-    Stopped,
+    /// As it was told, and seen so then; without a time nothing was proven of it anyway.
+    Stopped(Option<Tick>),
     /// Somebody else has set it going.
     Moves,
     /// It does not say.
     Unknown,
 }
 
-/// What a drive does now of which a stop was proven.
-async fn now_of(session: &mut Session<'_>, registry: &Registry, act: Relief, came: &Came) -> Now {
-    let Ok(Outcome { data: Some(Data::Motion(motion)), failure: None, .. }) = came else { return Now::Stopped };
-    let Some(family) = registry.family(&motion.drive) else { return Now::Stopped };
+/// Whether a stop of a drive was proven.
+fn is_proven(came: &Came) -> bool {
+    matches!(came, Ok(Outcome { data: Some(Data::Motion(_)), failure: None, .. }))
+}
+
+/// A drive of which a stop was proven, in its word order: so each look is one question.
+async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Target> {
+    let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return None };
+    let mut target = Target::new(motion.address, registry.family(&motion.drive)?).greeted();
+    if !is_proven(came) || session.is_interrupted() {
+        return None;
+    }
     session.speaks_of(Some(motion.address));
     session.end_at(Some(session.now() + LAST_LOOK));
-    let mut target = Target::new(motion.address, family);
+    // Without an answer the look is told that, too.
+    let _ = target.route(session).await;
+    Some(target)
+}
+
+/// What a drive does now of which a stop was proven, if this is one.
+async fn now_of(session: &mut Session<'_>, act: Relief, target: Option<&Cell<Option<Target>>>) -> Now {
+    let Some((place, mut target)) = target.and_then(|place| Some((place, place.take()?))) else {
+        return Now::Stopped(None);
+    };
+    session.speaks_of(Some(target.address));
+    session.end_at(Some(session.now() + LAST_LOOK));
     let moves = match act {
         Relief::Zero => turns(session, &mut target).await,
         _ => is_enabled(session, &mut target).await,
     };
+    place.set(Some(target));
     match moves {
         Ok(true) => Now::Moves,
-        Ok(false) => Now::Stopped,
+        Ok(false) => Now::Stopped(Some(session.now())),
         Err(_) => Now::Unknown,
     }
 }

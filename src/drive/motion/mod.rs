@@ -53,7 +53,6 @@ use super::interrupt::Interrupt;
 use super::session::Session;
 use super::target::Target;
 use super::write::{Order, WriteFate};
-use crate::exchange::Limits;
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Permit};
 use crate::outcome::{Change, Setpoint, State, Step, Stop};
@@ -219,7 +218,7 @@ impl<'a, 's> Motor<'a, 's> {
         patience: Option<Span>,
     ) -> Self {
         let patience = patience.unwrap_or(patience::USUAL);
-        session.set_limits(Limits { hastens: true, ..session.limits() });
+        session.hastens();
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
         let guard = guard(target, target.known_watchdog);

@@ -16,6 +16,11 @@ impl Session<'_> {
         self.line.borrow_mut().master.set_limits(limits);
     }
 
+    /// From now on a shaft depends on the answers.
+    pub fn hastens(&mut self) {
+        self.set_limits(Limits { hastens: true, ..self.limits });
+    }
+
     /// From now on no answer is waited for longer than what insists does, whatever `--timeout` says.
     pub(in crate::drive) fn wait_briefly(&mut self) {
         let limits = self.limits();

@@ -108,11 +108,18 @@ fn it_turns_no_longer_where_answers_are_lost(turns: &[Turn]) {
     let mut sins = Vec::new();
     for turn in turns {
         for timeout in ["", "--timeout 10s "] {
-            let (mut found, mut first) = (0, 0);
-            for from in 1..90 {
+            let lost_from = |from: usize| {
                 let lost: String =
                     (from..from + 250).map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"lost\"\n")).collect();
-                let run = runs(turn, timeout, &lost);
+                runs(turn, timeout, &lost)
+            };
+            // Where answers are lost long before that word, it never goes out.
+            let calm = sent(&runs(turn, timeout, "").err);
+            let word = calm.iter().position(|(_, told)| told.starts_with(turn.turns)).unwrap();
+            let never = |from: &usize| turned(turn, &lost_from(*from)).is_none();
+            let (mut found, mut first) = (0, (1..=word).rev().step_by(4).find(never).unwrap_or(0));
+            for from in first + 1..90 {
+                let run = lost_from(from);
                 let Some((begun, ended)) = turned(turn, &run) else {
                     first = from;
                     continue;

@@ -39,6 +39,22 @@ fn every_drive_hears_the_stop_before_one_is_looked_at() {
     }
 }
 
+/// Behind a stop of several nobody is unseen for longer than one question to each of the others takes.
+#[test]
+fn the_last_questions_of_a_stop_go_to_each_once() {
+    let drives = |model: &str| -> String {
+        let drive = |address| format!("[[drive]]\nmodel = \"{model}\"\naddress = {address}\nreply_delay = \"10ms\"\n");
+        (1..=6).map(drive).collect()
+    };
+    for (model, verb) in [("lxm05", "sollwert 0"), ("lxm05", "statemachine disable"), ("acu", "sollwert 0")] {
+        let run = antrieb(&format!("-v -a 1-6 --drive {model} {verb}")).on(&drives(model)).exits(0);
+        let sent = run.sent();
+        let mut last: Vec<&str> = sent.iter().rev().take(6).map(|hex| &hex[..2]).collect();
+        last.sort_unstable();
+        assert_eq!(last, ["01", "02", "03", "04", "05", "06"], "{model} {verb}: {sent:#?}");
+    }
+}
+
 #[test]
 fn who_does_not_hear_is_named_and_the_others_stand() {
     let bench = line("[[drive.event]]\nat = \"0s\"\nsilent = \"2min\"\n");
