@@ -3,7 +3,7 @@
 //!
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
 //!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of any
-//!   other they are asked for again, until it has said the same of two things a few times: the first copy of all may come in
+//!   other they are asked for again, until it has said these of two things: the first copy of all may come in
 //!   place of an answer. From then on the usual time of an answer is waited for, in case the true one comes,
 //!   until that has come a few times to nothing.
 //! * Where none has come, an answer that comes sooner than this station has ever answered is waited
@@ -27,9 +27,12 @@ const MARGIN: Span = Span::from_millis(5);
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
 const LONGEST_COPY: Span = Span::from_millis(100);
-/// So often a station must have said the same of two things until such words are not asked for again: each time costs a fence and a question.
-const ALIKE: u8 = 2;
-/// So often, until no other answer is waited for behind them either: a station that was slow once would cost that for each value.
+/// So often the same must have been the answer to two things until it is not asked for again: each time costs a fence and a question. Most of
+/// what is alike is 0.
+const ALIKE: u8 = 1;
+/// So often where something warned of copies.
+const ALIKE_WARNED: u8 = 2;
+/// So often, until no other answer is waited for behind it either: a station that was slow once would cost that for each value.
 const TRUSTED: u8 = 6;
 /// So often in a row a station must have been late until it is waited for.
 const OFTEN_LATE: u8 = 2;
@@ -65,8 +68,8 @@ pub(super) struct Heard {
     surplus: BTreeSet<u8>,
     /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
     rough: bool,
-    /// How often a station said in the words of another answer what it then said again, or behind which no other came.
-    alike: BTreeMap<u8, u8>,
+    /// How often what had been another answer was said again, or no other one came behind it.
+    alike: BTreeMap<Vec<u8>, u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
@@ -195,21 +198,36 @@ impl Heard {
     }
 
     /// An answer in the words of another one was said again, or no other one came behind it.
-    pub(super) fn vouches(&mut self, station: u8) {
-        let alike = self.alike.entry(station).or_default();
+    pub(super) fn vouches(&mut self, bytes: &[u8]) {
+        if self.alike.len() >= MOST {
+            self.alike.clear();
+        }
+        let alike = self.alike.entry(bytes.to_vec()).or_default();
         *alike = alike.saturating_add(1);
+    }
+
+    /// The same of the last answer.
+    pub(super) fn vouches_for_the_last(&mut self) {
+        let last = self.telegrams.iter().rfind(|old| old.answered.is_some());
+        if let Some(bytes) = last.map(|last| last.bytes.clone()) {
+            self.vouches(&bytes);
+        }
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
     /// answer that is late or lost. What must not wait, and where values have names, doubts that only where something `warned`: it went wrong
     /// before, they come sooner than any answer, or this station's answers may take long.
     fn may_copy(&self, sample: &Sample<'_>, warned: bool) -> bool {
-        let doubts = self.rough || warned || !(sample.hastens || sample.named);
-        doubts && self.alike(sample.station) < ALIKE
+        let wanted = match (self.rough || warned, sample.hastens || sample.named) {
+            (true, _) => ALIKE_WARNED,
+            (false, false) => ALIKE,
+            (false, true) => 0,
+        };
+        self.alike(sample.bytes) < wanted
     }
 
-    fn alike(&self, station: u8) -> u8 {
-        self.alike.get(&station).copied().unwrap_or_default()
+    fn alike(&self, bytes: &[u8]) -> u8 {
+        self.alike.get(bytes).copied().unwrap_or_default()
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -238,7 +256,7 @@ impl Heard {
         let slowest = hold(pace.map_or(0, |pace| pace.slowest));
         // Whose answers differ in time by so much may take so much longer still.
         let slower = hold(pace.map_or(0, |pace| 2 * pace.slowest - pace.fastest));
-        let is_trusted = self.alike(sample.station) >= TRUSTED;
+        let is_trusted = self.alike(sample.bytes) >= TRUSTED;
         let irregular = pace.is_some_and(|pace| pace.slowest > pace.fastest + DAWDLE_US);
         let is_new = !self.is_copy(sample.at, sample.bytes);
         let other = self.is_anothers(sample.at, sample.bytes, sample.question);
@@ -371,13 +389,17 @@ mod tests {
         let mut warned = known();
         warned.note(at(1_000), &BYTES, Some(&asked));
         warned.sees_trouble();
-        assert_eq!(hasty(&warned, 15_000), Weight::Again);
+        (0..ALIKE_WARNED).for_each(|_| {
+            assert_eq!([hasty(&warned, 15_000), weigh(&warned, &other, 15_000)], [Weight::Again; 2]);
+            warned.vouches(&BYTES);
+        });
+        assert_eq!([hasty(&warned, 15_000), weigh(&warned, &other, 15_000)], [Weight::Answer, wait]);
         let mut both = known();
         both.note(at(1_000), &BYTES, Some(&asked));
         both.note(at(1_000), &BYTES, Some(&other));
         (0..ALIKE).for_each(|_| {
             assert_eq!(weigh(&both, &other, 15_000), Weight::Again);
-            both.vouches(1);
+            both.vouches(&BYTES);
         });
         assert_eq!(weigh(&both, &other, 15_000), Weight::Answer, "a copy would say nothing else");
         for nth in 0..=TRUSTED {
@@ -385,8 +407,8 @@ mod tests {
             let expected = if nth < TRUSTED { [again, wait] } else { [Weight::Answer; 2] };
             assert_eq!([weigh(&heard, &other, 15_000), once(&heard)], expected, "{nth}");
             assert_eq!(hasty(&heard, 15_000), Weight::Answer);
-            heard.vouches(2);
-            heard.vouches(1);
+            heard.vouches(&[9]);
+            heard.vouches(&BYTES);
         }
     }
 
@@ -419,7 +441,7 @@ mod tests {
         heard.sees_copy(2, at(1_010), &[9]);
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
-        (0..ALIKE).for_each(|_| heard.vouches(1));
+        (0..ALIKE_WARNED).for_each(|_| heard.vouches(&BYTES));
         assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(55)));
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));
