@@ -4,7 +4,9 @@ use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, u
 use crate::args::{Settings, called};
 use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
-use crate::drive::motion::{Call, LAST_LOOK, Meant, Motor, Situation, is_enabled, set_going_again, shout_round, turns};
+use crate::drive::motion::{
+    Call, LAST_LOOK, Meant, Motor, OPERATION, QUICK_STOP, Situation, set_going_again, shout_round, state_now, turns,
+};
 use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -130,44 +132,43 @@ async fn look_behind(
     (drives, came): (&[Meant], &mut [Came]),
     stop: impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
 ) {
-    let mut rounds = 0;
     let end = session.now() + LONGEST_WAIT;
     let addresses: Vec<u8> = drives.iter().map(|drive| drive.address).collect();
-    let mut targets = Vec::new();
+    let mut places = Vec::new();
     session.hastens();
     for one in came.iter() {
-        targets.push(Cell::new(proven(session, registry, one).await));
+        places.push(Cell::new(proven(session, registry, one).await));
     }
-    while rounds < MOST_ROUNDS {
+    let (mut calm, mut restless, mut stopped) = (0, 0, vec![false; came.len()]);
+    while calm < MOST_ROUNDS && restless < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session).await {
             break;
         }
         // In turns, so that each is seen last as late as all of them allow: a position takes several looks.
-        let look = async |session: &mut Session<'_>, at: usize| now_of(session, act, targets.get(at)).await;
+        let look = async |session: &mut Session<'_>, at: usize| now_of(session, act, places.get(at)).await;
         let seen = session.side_by_side(&addresses, look).await;
         let mut oldest = session.now();
-        let mut is_over = true;
-        for (((drive, one), target), now) in drives.iter().zip(came.iter_mut()).zip(&targets).zip(seen) {
+        stopped.fill(false);
+        let all = drives.iter().zip(came.iter_mut()).zip(&places).zip(seen).zip(&mut stopped);
+        for ((((drive, one), place), now), stopped) in all {
             let now = match now {
                 // Somebody slow says nothing in turns that are short.
-                Now::Unknown => now_of(session, act, Some(target)).await,
+                Now::Unknown => now_of(session, act, Some(place)).await,
                 now => now,
             };
             if let Now::Stopped(at) = now {
                 oldest = at.map_or(oldest, |at| at.min(oldest));
                 continue;
             }
-            is_over = false;
+            *stopped = true;
             *one = stop(session, drive).await;
             if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one
                 && now == Now::Moves
             {
                 motion.notes.push(set_going_again(act));
             }
-            if !is_proven(one) {
-                target.take();
-            }
+            place.set(place.take().and_then(|place| Proven::of(one, place.target)));
         }
         if is_early {
             session.end_at(None);
@@ -177,12 +178,38 @@ async fn look_behind(
             tokio::task::yield_now().await;
             continue;
         }
-        is_over &= session.now().since(oldest) <= usual_round(drives.len());
-        if is_over && (session.is_shared() || session.owes_for().is_none()) {
+        if stopped.contains(&true) {
+            (calm, restless) = (0, restless + 1);
+            continue;
+        }
+        calm += 1;
+        // Where answers take long, the next round is no shorter.
+        let is_fresh = calm > 1 || session.now().since(oldest) <= usual_round(drives.len());
+        if is_fresh && (session.is_shared() || session.owes_for().is_none()) {
             break;
         }
-        rounds += 1;
     }
+    if stopped.contains(&true) {
+        came.iter_mut().zip(stopped).filter(|(_, stopped)| !stopped).for_each(|(one, _)| unseen_since(one));
+    }
+}
+
+/// Somebody was stopped anew, and nobody has looked at this one since.
+fn unseen_since(came: &mut Came) {
+    let Ok(Outcome { data: Some(Data::Motion(motion)), failure: failure @ None, .. }) = came else { return };
+    motion.standing = None;
+    if let Some(setpoint) = &mut motion.setpoint {
+        setpoint.reached = None;
+    }
+    let text = both!(
+        "somebody else sets drives of the group going again; since the last of them was stopped nobody has looked at this one",
+        "jemand anderes setzt Antriebe der Gruppe wieder in Gang; seit dem Halt des letzten hat diesen niemand angesehen"
+    );
+    let unseen = Failure { alarm: true, ..Failure::new(Class::Forbidden, "forbidden.standstill_unproven", text) };
+    *failure = Some(unseen.hint(both!(
+        "stop that, and say the stop again; or the enable input, the emergency stop, the mains",
+        "das abstellen, und den Halt noch einmal geben; oder Freigabeeingang, Not-Halt, Netz"
+    )));
 }
 
 /// Behind a look at so many drives, each was seen as lately as this, unless an answer was late.
@@ -236,42 +263,65 @@ enum Now {
     Unknown,
 }
 
-/// Whether a stop of a drive was proven.
-fn is_proven(came: &Came) -> bool {
-    matches!(came, Ok(Outcome { data: Some(Data::Motion(_)), failure: None, .. }))
+/// A drive of which a stop was proven.
+struct Proven {
+    /// In its word order, so that each look is one question.
+    target: Target,
+    /// It was seen to stand.
+    stands: bool,
+    /// The state in which it was left.
+    state: Option<String>,
 }
 
-/// A drive of which a stop was proven, in its word order: so each look is one question.
-async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Target> {
+impl Proven {
+    fn of(came: &Came, target: Target) -> Option<Self> {
+        let Ok(Outcome { data: Some(Data::Motion(motion)), failure: None, .. }) = came else { return None };
+        let state = motion.to.as_ref().map(|state| state.slug.clone());
+        Some(Proven { target, stands: motion.standing == Some(true), state })
+    }
+
+    /// Whether somebody has had it in hand since: it is enabled, its shaft turns, or it is in another state. A quick stop ends by itself.
+    async fn is_touched(&mut self, session: &mut Session<'_>) -> Result<Option<Now>, Failure> {
+        if self.stands && turns(session, &mut self.target).await? {
+            return Ok(Some(Now::Moves));
+        }
+        let state = state_now(session, &mut self.target).await?;
+        let known = self.state.as_deref().filter(|known| *known != QUICK_STOP);
+        Ok(match state.as_str() {
+            OPERATION => Some(Now::Moves),
+            state if known.is_some_and(|known| known != state) => Some(Now::Unknown),
+            _ => None,
+        })
+    }
+}
+
+/// The same of what came of it, if that is one.
+async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Proven> {
     let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return None };
-    let mut target = Target::new(motion.address, registry.family(&motion.drive)?).greeted();
-    if !is_proven(came) || session.is_interrupted() {
+    let mut proven = Proven::of(came, Target::new(motion.address, registry.family(&motion.drive)?).greeted())?;
+    if session.is_interrupted() {
         return None;
     }
     session.speaks_of(Some(motion.address));
     session.end_at(Some(session.now() + LAST_LOOK));
     // Without an answer the look is told that, too.
-    let _ = target.route(session).await;
-    Some(target)
+    let _ = proven.target.route(session).await;
+    Some(proven)
 }
 
 /// What a drive does now of which a stop was proven, if this is one.
-async fn now_of(session: &mut Session<'_>, act: Relief, target: Option<&Cell<Option<Target>>>) -> Now {
-    let Some((place, mut target)) = target.and_then(|place| Some((place, place.take()?))) else {
+async fn now_of(session: &mut Session<'_>, act: Relief, place: Option<&Cell<Option<Proven>>>) -> Now {
+    let Some((place, mut proven)) = place.and_then(|place| Some((place, place.take()?))) else {
         return Now::Stopped(None);
     };
-    session.speaks_of(Some(target.address));
+    session.speaks_of(Some(proven.target.address));
     session.end_at(Some(session.now() + LAST_LOOK));
-    let moves = match act {
-        Relief::Zero => turns(session, &mut target).await,
-        _ => is_enabled(session, &mut target).await,
+    let now = match act {
+        Relief::Zero => turns(session, &mut proven.target).await.map(|turns| turns.then_some(Now::Moves)),
+        _ => proven.is_touched(session).await,
     };
-    place.set(Some(target));
-    match moves {
-        Ok(true) => Now::Moves,
-        Ok(false) => Now::Stopped(Some(session.now())),
-        Err(_) => Now::Unknown,
-    }
+    place.set(Some(proven));
+    now.map_or(Now::Unknown, |now| now.unwrap_or(Now::Stopped(Some(session.now()))))
 }
 
 /// Refuses a line of another kind among several: nothing is sent on it, and the others are stopped.

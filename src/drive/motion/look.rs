@@ -113,10 +113,10 @@ pub async fn surroundings(session: &mut Session<'_>, target: &mut Target, status
     Ok(situation)
 }
 
-/// Whether a drive is enabled now.
-pub async fn is_enabled(session: &mut Session<'_>, target: &mut Target) -> Result<bool, Failure> {
+/// The state of a drive now, by its name in the catalogue.
+pub async fn state_now(session: &mut Session<'_>, target: &mut Target) -> Result<String, Failure> {
     let status = status_word(session, target).await?;
-    Ok(describe::state(&target.family, status).slug == "operation-enabled")
+    Ok(describe::state(&target.family, status).slug)
 }
 
 /// The status word. A drive that refuses it has said nothing of its state, and most likely is another one than was named.

@@ -35,13 +35,13 @@ pub use foreseen::foreseen;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped, what_stops_it};
 pub use leave::{LAST_LOOK, set_going_again};
 pub use look::{
-    Situation, is_enabled, look, may_change_mode, role_raw, surroundings, turns, watchdog_raw, watchdog_seconds,
+    Situation, look, may_change_mode, role_raw, state_now, surroundings, turns, watchdog_raw, watchdog_seconds,
     working, working_raw,
 };
 pub use own::{Own, Promise, Total, demand_as_shown};
 pub use relief::PROOF;
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
-pub use still::{Unseen, coasting, has_power};
+pub use still::{OPERATION, QUICK_STOP, Unseen, coasting, has_power};
 pub use stop::StopChoice;
 pub use taking::{goes_now, taken_over};
 pub use walk::no_fault;

@@ -17,9 +17,9 @@ mod sight;
 /// States without power: a stop has done its work.
 pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
 /// The state of a quick stop.
-pub(super) const QUICK_STOP: &str = "quick-stop-active";
+pub const QUICK_STOP: &str = "quick-stop-active";
 /// The state of a drive that works.
-const OPERATION: &str = "operation-enabled";
+pub const OPERATION: &str = "operation-enabled";
 /// States with power. Of a reaction to a fault nobody knows.
 const POWERED: &[&str] = &[OPERATION, QUICK_STOP];
 

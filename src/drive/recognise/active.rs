@@ -42,7 +42,11 @@ impl Inquest<'_, '_> {
             Ok(_) => (Text::name("-"), stranger, false),
             Err(error) => {
                 self.fell_silent = true;
-                (missing(&error), stranger, false)
+                let tells = both!(
+                    "most likely no ACTIVE drive: no answer to code 100",
+                    "wohl kein ACTIVE: keine Antwort auf Code 100"
+                );
+                (missing(&error), tells, false)
             }
         };
         self.finding.note(asked, answered, tells);

@@ -138,6 +138,40 @@ fn a_drive_that_was_proven_early_is_looked_at_once_more_behind_the_others() {
     assert!(told > 2, "{told}");
 }
 
+/// Somebody enables one drive of a slow group in its closing rounds, and another one while that is stopped again: neither is missed.
+#[test]
+fn all_of_a_group_are_looked_at_behind_each_that_is_stopped_again() {
+    let group = |last: &str, first: &str| -> String {
+        let one = |address: u8| {
+            let event = [first, "", "", last][usize::from(address) - 1];
+            drive(&format!("{RUNNING}, \"424\" = 5000, \"425\" = 5000"), event)
+                .replace("model = \"acu\"", &format!("model = \"acu\"\naddress = {address}"))
+                .replace("1ms", "60ms")
+        };
+        (1..=4).map(one).collect()
+    };
+    let line = |bench: &str| {
+        let run = ran(Span::from_secs(1), "-v -b 115200 -a 1-4 --drive acu statemachine disable", bench).json();
+        let (mut bench, end) = witness::left().unwrap();
+        bench.advance(end);
+        (run, bench.totals().turning, end.as_micros() / 1_000)
+    };
+    let (calm, _, end) = line(&group("", ""));
+    assert_eq!(calm.exit, 0, "{:#}", calm.value);
+    let mut both = 0;
+    for at in (end - 2_000..end).step_by(100) {
+        for after in [300, 900] {
+            let event = |at: u64| format!("[[drive.event]]\nat = \"{at}ms\"\nset = {{ \"410\" = 15 }}");
+            let (run, turning, end) = line(&group(&event(at), &event(at + after)));
+            let told = |nth: u8| run.data(&format!("/drives/{nth}/motion/notes")).to_string().contains(AGAIN);
+            let seen = format!("{at} + {after} of {end}: {turning} {} {:#}", run.exit, run.value);
+            assert!(turning == 0 || run.exit != 0 || at + after + 600 > end, "{seen}");
+            both += usize::from(told(0) && told(3));
+        }
+    }
+    assert!(both > 9, "{both}");
+}
+
 /// One of the last answers takes long, but comes in its time: nothing is owed, and what the drive did meanwhile is seen all the same.
 #[test]
 fn a_slow_answer_at_the_end_of_a_stop_hides_no_enabling() {
