@@ -69,7 +69,7 @@ fn a_short_ramp_behind_slow_replies_is_proven() {
     for (model, protocol) in [("acu", "ascii"), ("acu", "rtu"), ("act", "vabus")] {
         for named in [format!("--drive {model}"), String::new()] {
             for verb in ["statemachine quick-stop", "statemachine disable"] {
-                for delay in (300..=450).step_by(25).chain([445, 470]) {
+                for delay in (300..=450).step_by(50).chain([445, 470]) {
                     let line = format!("-v --protocol {protocol} -b 19200 {named} -a 1 {verb}");
                     let run = antrieb(&line).on(&bench(model, protocol, delay, 50)).run();
                     if run.exit != 0 {
