@@ -3,7 +3,7 @@
 //!
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
 //!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of any
-//!   other they are asked for again, until it has said these of two things: the first copy of all may come in
+//!   other they are asked for again, until it has said the same of two things: the first copy of all may come in
 //!   place of an answer. From then on the usual time of an answer is waited for, in case the true one comes,
 //!   until that has come a few times to nothing.
 //! * Where none has come, an answer that comes sooner than this station has ever answered is waited
@@ -23,17 +23,15 @@ const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
+/// So often no other answer must have come behind words of another one, until none is waited for any more: a station that was slow once
+/// would cost that for each value.
+const ALONE: u8 = 6;
 /// So long a copy is listened for that was never heard, because it met our questions: they go out 2 ms behind an answer.
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
 const LONGEST_COPY: Span = Span::from_millis(100);
-/// So often the same must have been the answer to two things until it is not asked for again: each time costs a fence and a question. Most of
-/// what is alike is 0.
-const ALIKE: u8 = 1;
-/// So often where something warned of copies.
-const ALIKE_WARNED: u8 = 2;
-/// So often, until no other answer is waited for behind it either: a station that was slow once would cost that for each value.
-const TRUSTED: u8 = 6;
+/// So often a station must have said the same of two things until its copies are not feared, where something warned of them; else once.
+const ALIKE: u8 = 2;
 /// So often in a row a station must have been late until it is waited for.
 const OFTEN_LATE: u8 = 2;
 /// How much longer at most, and how much beyond what it took.
@@ -68,8 +66,10 @@ pub(super) struct Heard {
     surplus: BTreeSet<u8>,
     /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
     rough: bool,
-    /// How often what had been another answer was said again, or no other one came behind it.
-    alike: BTreeMap<Vec<u8>, u8>,
+    /// How often a station said in the words of another answer what it then said again.
+    alike: BTreeMap<u8, u8>,
+    /// How often nothing came behind words of another answer.
+    alone: BTreeMap<u8, u8>,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
@@ -197,37 +197,24 @@ impl Heard {
         self.rough = true;
     }
 
-    /// An answer in the words of another one was said again, or no other one came behind it.
-    pub(super) fn vouches(&mut self, bytes: &[u8]) {
-        if self.alike.len() >= MOST {
-            self.alike.clear();
-        }
-        let alike = self.alike.entry(bytes.to_vec()).or_default();
+    /// An answer in the words of another one was said again.
+    pub(super) fn vouches(&mut self, station: u8) {
+        let alike = self.alike.entry(station).or_default();
         *alike = alike.saturating_add(1);
     }
 
-    /// The same of the last answer.
-    pub(super) fn vouches_for_the_last(&mut self) {
-        let last = self.telegrams.iter().rfind(|old| old.answered.is_some());
-        if let Some(bytes) = last.map(|last| last.bytes.clone()) {
-            self.vouches(&bytes);
-        }
+    /// Behind words of another answer nothing came in its usual time.
+    pub(super) fn comes_alone(&mut self, station: u8) {
+        let alone = self.alone.entry(station).or_default();
+        *alone = alone.saturating_add(1);
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
-    /// answer that is late or lost. What must not wait, and where values have names, doubts that only where something `warned`: it went wrong
-    /// before, they come sooner than any answer, or this station's answers may take long.
+    /// answer that is late or lost. What must not wait, and where values have names, doubts that only where something went wrong before,
+    /// or they come sooner than any answer, or (what must not wait) this station's answers may take long.
     fn may_copy(&self, sample: &Sample<'_>, warned: bool) -> bool {
-        let wanted = match (self.rough || warned, sample.hastens || sample.named) {
-            (true, _) => ALIKE_WARNED,
-            (false, false) => ALIKE,
-            (false, true) => 0,
-        };
-        self.alike(sample.bytes) < wanted
-    }
-
-    fn alike(&self, bytes: &[u8]) -> u8 {
-        self.alike.get(bytes).copied().unwrap_or_default()
+        let wanted = if self.rough || warned { ALIKE } else { u8::from(!(sample.hastens || sample.named)) };
+        self.alike.get(&sample.station).copied().unwrap_or_default() < wanted
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -256,7 +243,7 @@ impl Heard {
         let slowest = hold(pace.map_or(0, |pace| pace.slowest));
         // Whose answers differ in time by so much may take so much longer still.
         let slower = hold(pace.map_or(0, |pace| 2 * pace.slowest - pace.fastest));
-        let is_trusted = self.alike(sample.bytes) >= TRUSTED;
+        let is_trusted = self.alone.get(&sample.station).is_some_and(|&alone| alone >= ALONE);
         let irregular = pace.is_some_and(|pace| pace.slowest > pace.fastest + DAWDLE_US);
         let is_new = !self.is_copy(sample.at, sample.bytes);
         let other = self.is_anothers(sample.at, sample.bytes, sample.question);
@@ -268,7 +255,9 @@ impl Heard {
             (false, true) if other && surplus => Weight::Copy(slowest),
             (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
-            (false, false) if other && sample.again && self.may_copy(sample, soon || irregular) => Weight::Again,
+            (false, false) if other && sample.again && self.may_copy(sample, soon || irregular && sample.hastens) => {
+                Weight::Again
+            }
             (true, _) if late && sample.again && sample.confused => Weight::Again,
             (false, false) if other && !(own || is_trusted || sample.hastens || sample.named) => Weight::Wait(slower),
             _ if soon => Weight::Wait(slowest),
@@ -376,40 +365,28 @@ mod tests {
         let hasty = |heard: &Heard, after| {
             heard.weigh(&Sample { hastens: true, ..sample(&other, &BYTES, 1_100, after) }, false)
         };
-        // The true one may come later than ever.
-        let wait = Weight::Wait(Span::from_millis(55));
         assert_eq!([15_000, 5_000].map(|after| hasty(&heard, after)), [Weight::Answer, Weight::Again]);
         let named = |after| heard.weigh(&Sample { named: true, ..sample(&other, &BYTES, 1_100, after) }, false);
         assert_eq!([15_000, 5_000].map(named), [Weight::Answer, Weight::Again], "as a refusal");
         assert_eq!(weigh(&heard, &asked, 15_000), Weight::Answer, "the same of the same");
         assert!(matches!(weigh(&heard, &asked, 5_000), Weight::Wait(_)));
-        let once =
-            |heard: &Heard| heard.weigh(&Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) }, false);
-        assert_eq!(once(&heard), wait);
-        let mut warned = known();
-        warned.note(at(1_000), &BYTES, Some(&asked));
-        warned.sees_trouble();
-        (0..ALIKE_WARNED).for_each(|_| {
-            assert_eq!([hasty(&warned, 15_000), weigh(&warned, &other, 15_000)], [Weight::Again; 2]);
-            warned.vouches(&BYTES);
-        });
-        assert_eq!([hasty(&warned, 15_000), weigh(&warned, &other, 15_000)], [Weight::Answer, wait]);
-        let mut both = known();
-        both.note(at(1_000), &BYTES, Some(&asked));
-        both.note(at(1_000), &BYTES, Some(&other));
-        (0..ALIKE).for_each(|_| {
-            assert_eq!(weigh(&both, &other, 15_000), Weight::Again);
-            both.vouches(&BYTES);
-        });
-        assert_eq!(weigh(&both, &other, 15_000), Weight::Answer, "a copy would say nothing else");
-        for nth in 0..=TRUSTED {
-            let again = if nth < ALIKE { Weight::Again } else { wait };
-            let expected = if nth < TRUSTED { [again, wait] } else { [Weight::Answer; 2] };
-            assert_eq!([weigh(&heard, &other, 15_000), once(&heard)], expected, "{nth}");
-            assert_eq!(hasty(&heard, 15_000), Weight::Answer);
-            heard.vouches(&[9]);
-            heard.vouches(&BYTES);
-        }
+        let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };
+        assert!(matches!(heard.weigh(&once, false), Weight::Wait(_)));
+        heard.vouches(2);
+        assert_eq!(weigh(&heard, &other, 15_000), Weight::Again);
+        heard.vouches(1);
+        let wait = Weight::Wait(Span::from_millis(55));
+        assert_eq!(weigh(&heard, &other, 15_000), wait, "the true one may come later than ever");
+        assert_eq!(weigh(&heard, &other, 5_000), Weight::Again, "sooner than ever it takes two");
+        heard.sees_trouble();
+        assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Again; 2]);
+        heard.vouches(1);
+        assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [wait, Weight::Answer]);
+        (1..ALONE).for_each(|_| heard.comes_alone(1));
+        heard.comes_alone(2);
+        assert_eq!(weigh(&heard, &other, 15_000), wait);
+        heard.comes_alone(1);
+        assert_eq!(weigh(&heard, &other, 15_000), Weight::Answer, "none ever came behind one");
     }
 
     #[test]
@@ -441,7 +418,7 @@ mod tests {
         heard.sees_copy(2, at(1_010), &[9]);
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
-        (0..ALIKE_WARNED).for_each(|_| heard.vouches(&BYTES));
+        (0..ALIKE).for_each(|_| heard.vouches(1));
         assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(55)));
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));

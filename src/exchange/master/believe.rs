@@ -236,7 +236,7 @@ impl Master {
         if !is_doubted && (is_sure || is_stale) {
             (job.doubted, job.noisy) = (held.doubted || spoilt, false);
             if is_sure && is_anothers {
-                self.heard.vouches(&held.bytes);
+                self.heard.comes_alone(station);
             }
             let copies = self.heard.has_surplus(station);
             self.reply(held.at, sent_end, &held.bytes, is_sure || !copies);

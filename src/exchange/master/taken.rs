@@ -88,7 +88,7 @@ impl Master {
             self.twins.vouches(job.station);
         }
         if first.again {
-            self.heard.vouches_for_the_last();
+            self.heard.vouches(job.station);
         }
         true
     }
