@@ -1,6 +1,6 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
-use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped};
+use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped, verdict};
 use crate::args::{Settings, called};
 use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
@@ -16,7 +16,7 @@ use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::cell::{Cell, RefCell};
 
-/// So often all are looked at once more, where one of them was set going again.
+/// So often all are looked at once more where one of them was set going again, and so often where all are at rest and something is owed.
 const MOST_ROUNDS: u8 = 4;
 /// So long is waited between rounds while other ports are not through, and for them.
 const BEAT: Span = Span::from_millis(100);
@@ -205,8 +205,8 @@ fn unseen_since(came: &mut Came) {
         "somebody else sets drives of the group going again; since the last of them was stopped nobody has looked at this one",
         "jemand anderes setzt Antriebe der Gruppe wieder in Gang; seit dem Halt des letzten hat diesen niemand angesehen"
     );
-    let unseen = Failure { alarm: true, ..Failure::new(Class::Forbidden, "forbidden.standstill_unproven", text) };
-    *failure = Some(unseen.hint(both!(
+    let unseen = Failure::new(Class::Forbidden, verdict::STANDSTILL_UNPROVEN, text);
+    *failure = Some(verdict::warned(unseen).hint(both!(
         "stop that, and say the stop again; or the enable input, the emergency stop, the mains",
         "das abstellen, und den Halt noch einmal geben; oder Freigabeeingang, Not-Halt, Netz"
     )));

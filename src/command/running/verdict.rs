@@ -11,7 +11,7 @@ use crate::profile::Family;
 use crate::text::{Text, both};
 
 /// A shaft that nobody saw standing may coast.
-const STANDSTILL_UNPROVEN: &str = "forbidden.standstill_unproven";
+pub(super) const STANDSTILL_UNPROVEN: &str = "forbidden.standstill_unproven";
 /// Nor may one that was seen to.
 const STILL_COASTING: &str = "forbidden.still_coasting";
 
@@ -146,7 +146,7 @@ fn dangerous(failure: Failure, family: &Family) -> Failure {
 }
 
 /// The danger first.
-fn warned(failure: Failure) -> Failure {
+pub(super) fn warned(failure: Failure) -> Failure {
     Failure { alarm: true, ..failure }
 }
 
