@@ -13,7 +13,7 @@ use tokio::time::Instant;
 use {
     signal_hook::consts::signal::*,
     std::ffi::c_int,
-    std::sync::{Arc, atomic::AtomicBool},
+    std::sync::{Arc, Once, atomic::AtomicBool},
     tokio::signal::unix::{SignalKind, signal},
 };
 
@@ -137,11 +137,19 @@ const OVER_A_SHAFT: &[(Wish, &[c_int])] = &[
     (Wish::Freeze, &[SIGTSTP]),
 ];
 
+/// What is registered stays, and each registration copies all that there are: once for a process is enough.
+#[cfg(unix)]
+static OUTLIVES_LIMITS: Once = Once::new();
+#[cfg(unix)]
+static ACTS_AS_USUAL: Once = Once::new();
+
 /// A file that has reached its limit (`ulimit -f`) is a write that fails, as on a full disk, and whoever writes it says so: nothing
 /// dies of it in the middle, up to the report at the end.
 pub(super) fn outlive_limits() {
     #[cfg(unix)]
-    let _cannot_be_had = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
+    OUTLIVES_LIMITS.call_once(|| {
+        let _cannot_be_had = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
+    });
 }
 
 /// The signals of a run.
@@ -202,9 +210,11 @@ impl Signals {
 /// who takes nothing holds nobody.
 pub(super) fn act_as_usual() {
     #[cfg(unix)]
-    for number in
-        [ALWAYS, OVER_A_SHAFT].into_iter().flatten().flat_map(|row| row.1).filter(|number| **number != SIGXFSZ)
-    {
-        let _cannot_be_had = signal_hook::flag::register_conditional_default(*number, Arc::new(AtomicBool::new(true)));
-    }
+    ACTS_AS_USUAL.call_once(|| {
+        let all = [ALWAYS, OVER_A_SHAFT].into_iter().flatten().flat_map(|row| row.1);
+        for number in all.filter(|number| **number != SIGXFSZ) {
+            let _cannot_be_had =
+                signal_hook::flag::register_conditional_default(*number, Arc::new(AtomicBool::new(true)));
+        }
+    });
 }

@@ -3,12 +3,13 @@
 //!
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
 //!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of any
-//!   other they are asked for again, until it has said the same of two things: the first copy of all may come in
+//!   other they are asked for again, until it has said two words of two things each: the first copy of all may come in
 //!   place of an answer. From then on the usual time of an answer is waited for, in case the true one comes,
 //!   until that has come a few times to nothing.
 //! * Where none has come, an answer that comes sooner than this station has ever answered is waited
 //!   upon for as long as the true one may take. On a quiet line this costs nothing.
 
+use super::alike::Alike;
 use super::dialect::Question;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -23,15 +24,14 @@ const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
-/// So often no other answer must have come behind words of another one, until none is waited for any more: a station that was slow once
-/// would cost that for each value.
-const ALONE: u8 = 6;
 /// So long a copy is listened for that was never heard, because it met our questions: they go out 2 ms behind an answer.
 const UNHEARD_COPY: Span = Span::from_millis(60);
 /// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
 const LONGEST_COPY: Span = Span::from_millis(100);
-/// So often a station must have said the same of two things until its copies are not feared, where something warned of them; else once.
-const ALIKE: u8 = 2;
+/// So often the same words must have been the answer to two things until they are not asked for again; so often where something warned of
+/// copies.
+const ALIKE: u8 = 1;
+const ALIKE_WARNED: u8 = 2;
 /// So often in a row a station must have been late until it is waited for.
 const OFTEN_LATE: u8 = 2;
 /// How much longer at most, and how much beyond what it took.
@@ -66,10 +66,7 @@ pub(super) struct Heard {
     surplus: BTreeSet<u8>,
     /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
     rough: bool,
-    /// How often a station said in the words of another answer what it then said again.
-    alike: BTreeMap<u8, u8>,
-    /// How often nothing came behind words of another answer.
-    alone: BTreeMap<u8, u8>,
+    alike: Alike,
     /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
@@ -197,24 +194,29 @@ impl Heard {
         self.rough = true;
     }
 
-    /// An answer in the words of another one was said again.
+    /// The last answer, in the words of another one, was said again.
     pub(super) fn vouches(&mut self, station: u8) {
-        let alike = self.alike.entry(station).or_default();
-        *alike = alike.saturating_add(1);
+        let last = self.telegrams.iter().rfind(|old| old.answered.is_some());
+        if let Some(bytes) = last.map(|last| last.bytes.clone()) {
+            self.alike.vouches(station, &bytes);
+        }
     }
 
     /// Behind words of another answer nothing came in its usual time.
     pub(super) fn comes_alone(&mut self, station: u8) {
-        let alone = self.alone.entry(station).or_default();
-        *alone = alone.saturating_add(1);
+        self.alike.comes_alone(station);
     }
 
     /// Whether words of a moment ago may be a copy, although none of this station has come yet: the first of all may come in place of an
     /// answer that is late or lost. What must not wait, and where values have names, doubts that only where something went wrong before,
     /// or they come sooner than any answer, or (what must not wait) this station's answers may take long.
     fn may_copy(&self, sample: &Sample<'_>, warned: bool) -> bool {
-        let wanted = if self.rough || warned { ALIKE } else { u8::from(!(sample.hastens || sample.named)) };
-        self.alike.get(&sample.station).copied().unwrap_or_default() < wanted
+        let wanted = match (self.rough || warned, sample.hastens || sample.named) {
+            (true, _) => ALIKE_WARNED,
+            (false, false) => ALIKE,
+            (false, true) => return false,
+        };
+        !self.alike.vouched(sample.station, sample.bytes, wanted)
     }
 
     /// A reply of a station came so long behind the time that was left for it.
@@ -243,7 +245,7 @@ impl Heard {
         let slowest = hold(pace.map_or(0, |pace| pace.slowest));
         // Whose answers differ in time by so much may take so much longer still.
         let slower = hold(pace.map_or(0, |pace| 2 * pace.slowest - pace.fastest));
-        let is_trusted = self.alone.get(&sample.station).is_some_and(|&alone| alone >= ALONE);
+        let is_trusted = self.alike.is_trusted(sample.station);
         let irregular = pace.is_some_and(|pace| pace.slowest > pace.fastest + DAWDLE_US);
         let is_new = !self.is_copy(sample.at, sample.bytes);
         let other = self.is_anothers(sample.at, sample.bytes, sample.question);
@@ -382,10 +384,7 @@ mod tests {
         assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [Weight::Again; 2]);
         heard.vouches(1);
         assert_eq!([weigh(&heard, &other, 15_000), hasty(&heard, 15_000)], [wait, Weight::Answer]);
-        (1..ALONE).for_each(|_| heard.comes_alone(1));
-        heard.comes_alone(2);
-        assert_eq!(weigh(&heard, &other, 15_000), wait);
-        heard.comes_alone(1);
+        (0..6).for_each(|_| heard.comes_alone(1));
         assert_eq!(weigh(&heard, &other, 15_000), Weight::Answer, "none ever came behind one");
     }
 
@@ -418,7 +417,7 @@ mod tests {
         heard.sees_copy(2, at(1_010), &[9]);
         let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
         assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
-        (0..ALIKE).for_each(|_| heard.vouches(1));
+        (0..ALIKE_WARNED).for_each(|_| heard.vouches(1));
         assert_eq!(weigh(&heard), Weight::Wait(Span::from_millis(55)));
         heard.sees_copy(1, at(1_020), &BYTES);
         assert!(matches!(weigh(&heard), Weight::Copy(_)));

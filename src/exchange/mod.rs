@@ -5,6 +5,7 @@
 //! master of a PROFIBUS line, [`can`] the way through an adapter to a CAN bus. This room
 //! knows no drive and reads no clock.
 
+mod alike;
 pub mod can;
 mod cut;
 mod debt;

@@ -46,17 +46,17 @@ fn value<'s>(sample: &'s Value, slug: &str) -> &'s Value {
 
 #[test]
 fn a_stream_is_a_start_samples_and_an_end() {
-    let output = antrieb("-p sim -a 1,2 monitor --count 3 --interval 500ms --unpaced --format ndjson").exits(0);
+    let output = antrieb("-p sim -a 1,2 monitor --count 3 --interval 600ms --unpaced --format ndjson").exits(0);
     let records = records(&output);
     assert_eq!(records[0]["type"], "start");
-    assert_eq!(records[0]["interval"], 0.5);
+    assert_eq!(records[0]["interval"], 0.6);
     let drives: Vec<_> = records[0]["drives"].as_array().unwrap().iter().map(|drive| drive["drive"].clone()).collect();
     assert_eq!(drives, ["act", "acu"]);
     let samples = of_type(&records, "sample");
     let of_first: Vec<_> = samples.iter().filter(|sample| sample["address"] == 1).collect();
     // On the grid of the interval, whatever the rounds cost.
     let times: Vec<_> = of_first.iter().map(|sample| sample["t"].as_f64().unwrap()).collect();
-    assert_eq!(times, [0.0, 0.5, 1.0]);
+    assert_eq!(times, [0.0, 0.6, 1.2]);
     let numbers: Vec<_> = of_first.iter().map(|sample| sample["n"].as_u64().unwrap()).collect();
     assert_eq!(numbers, [0, 1, 2]);
     for sample in &samples {
@@ -95,8 +95,8 @@ fn an_interval_that_the_line_cannot_keep_is_told() {
     assert_eq!(summary["interval_kept"], 0.45);
     assert_eq!(slow["warnings"][0]["code"], "monitor.interval");
     assert!(told.contains("the interval of 200 ms was not kept: a round came every 450 ms on average"), "{told}");
-    let (kept, told) = end("--count 5 --interval 500ms --json");
-    assert_eq!((&kept["summary"]["interval_kept"], &kept["summary"]["late"]), (&json!(0.5), &json!(0)));
+    let (kept, told) = end("--count 5 --interval 600ms --json");
+    assert_eq!((&kept["summary"]["interval_kept"], &kept["summary"]["late"]), (&json!(0.6), &json!(0)));
     assert!(!told.contains("not kept"), "{told}");
     let (free, _) = end("--count 5 --interval 0 --json");
     assert!(free["summary"]["interval_kept"].as_f64().unwrap() > 0.2 && free["warnings"] == json!([]), "{free:#}");

@@ -167,7 +167,7 @@ fn the_setpoint_of_a_slow_servo_is_shown_before_its_turn_comes() {
 fn a_value_that_was_refused_is_left_out_of_the_view() {
     let (model, keys, line) = DRIVES[1];
     let mut refused = 0;
-    for once in 73..=78 {
+    for once in 75..=80 {
         let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"exception\"");
         let seen = run((model, &keys, line), "--view --duration 4s", &mut |_, _, _| {});
         let asked = |from: usize, hex: &str| seen.sent[from..].iter().filter(|sent| sent.1 == hex).count();
