@@ -93,6 +93,21 @@ fn a_record_that_has_no_place_any_more_is_named_and_is_no_lost_port() {
     }
 }
 
+/// A script that keeps recordings must not take half of one for the whole.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_recording_that_has_no_place_any_more_is_a_warning_whatever_was_recorded() {
+    let directory = tempfile::tempdir().unwrap();
+    for what in ["-a 1 read @all", "scan", "--protocol dp scan", "--protocol sdo scan"] {
+        let line =
+            format!("ulimit -f 1; exec {} -p sim {what} --json --trace t.txt --force", env!("CARGO_BIN_EXE_antrieb"));
+        let ended = Command::new("bash").args(["-c", &line]).current_dir(&directory).output().unwrap();
+        let document: serde_json::Value = serde_json::from_slice(&ended.stdout).unwrap();
+        let codes: Vec<_> = document["warnings"].as_array().unwrap().iter().map(|warning| &warning["code"]).collect();
+        assert!(codes.contains(&&serde_json::json!("trace.cut")), "{what}: {document}");
+    }
+}
+
 #[test]
 fn the_project_file_lies_in_the_working_directory() {
     let directory = tempfile::tempdir().unwrap();

@@ -2,13 +2,11 @@
 
 use super::account::Account;
 use super::interrupt::Interrupt;
+use super::opening::cut_recording;
 use super::pump::{self, PumpError};
 use crate::exchange::{Answer, Conversation, ExchangeError, Limits, Master, Question, Record, Verdict};
-use crate::files::of_system;
-use crate::outcome::Event;
-use crate::text::both;
 use crate::tick::Tick;
-use crate::transport::Link;
+use crate::transport::{Link, Wake};
 
 /// Strange telegrams that are kept until somebody asks for them.
 const MOST_OVERHEARD: usize = 4_096;
@@ -38,13 +36,7 @@ impl<'a> OpenLine<'a> {
         pump::drain(&mut self.master, &mut self.link).await?;
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, interrupt, ends_at).await;
-        if let Some(error) = self.link.take_trace_error() {
-            self.account.tell(Event::Note(both!(
-                "the recording (--trace) ends here: {why}",
-                "die Aufzeichnung (--trace) endet hier: {why}",
-                why = of_system(&error)
-            )));
-        }
+        self.tell_of_recording();
         let records = self.master.take_records();
         let outcome = outcome.map_err(|error| match error {
             PumpError::TimeUp(_) => PumpError::TimeUp(cut_short(&records)),
@@ -69,8 +61,22 @@ impl<'a> OpenLine<'a> {
         interrupt: &Interrupt,
     ) -> Result<C::End, PumpError> {
         let outcome = pump::run(conversation, &mut self.link, interrupt, None).await;
+        self.tell_of_recording();
         self.account.show(self.master.protocol(), &records(conversation), None);
         outcome
+    }
+
+    /// Waits until bytes come or the time is over; they go to nobody else.
+    pub(super) async fn hear(&mut self, until: Tick, interrupt: &Interrupt) -> Result<Wake, PumpError> {
+        let heard = pump::hear(&mut self.link, interrupt, until).await;
+        self.tell_of_recording();
+        heard
+    }
+
+    fn tell_of_recording(&mut self) {
+        if let Some(cut) = cut_recording(&mut self.link) {
+            self.account.tell(cut);
+        }
     }
 
     /// Says something that nobody answers.

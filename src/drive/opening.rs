@@ -3,15 +3,15 @@
 use super::trouble;
 use crate::exchange::Limits;
 use crate::failure::{Class, Failure};
-use crate::files::{self, FileError};
-use crate::outcome::Event;
+use crate::files::{self, FileError, of_system};
+use crate::outcome::{Event, Warning};
 use crate::protocol::Protocol;
 use crate::protocol::dp::NAME as DP;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
 use crate::text::both;
 use crate::tick::Span;
-use crate::transport::{Port, Rs485, Trace, list_ports};
+use crate::transport::{Link, Port, Rs485, Trace, list_ports};
 use std::path::Path;
 
 /// A gateway waits for its stations itself and then says so; many wait for a second or more.
@@ -144,6 +144,17 @@ pub(super) fn open_trace(recording: Recording<'_>, about: &str) -> Result<Trace,
             _ => failure,
         }
     })
+}
+
+/// Tells once that a recording has ended before its time.
+pub(super) fn cut_recording(link: &mut Link) -> Option<Event> {
+    let error = link.take_trace_error()?;
+    let message = both!(
+        "the recording (--trace) ends here: {why}",
+        "die Aufzeichnung (--trace) endet hier: {why}",
+        why = of_system(&error)
+    );
+    Some(Event::Warned(Warning { code: "trace.cut".to_owned(), message }))
 }
 
 /// Whether every character takes its time on the way: on the bench and on a serial port, but not on a pty, which hands over

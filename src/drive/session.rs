@@ -8,7 +8,7 @@ use super::interrupt::Interrupt;
 use super::open_line::OpenLine;
 use super::opening::{Opening, is_wired, open_trace};
 use super::probe::sounding;
-use super::pump::{self, PumpError};
+use super::pump::PumpError;
 use super::trouble;
 use super::turns::Seat;
 use crate::exchange::can::Traffic;
@@ -348,7 +348,7 @@ impl<'a> Session<'a> {
 
     /// Waits until bytes come or the time is over; they go to nobody else.
     pub(super) async fn hear(&mut self, until: Tick) -> Result<Wake, AccessError> {
-        let hear = async |line: &mut OpenLine<'a>| pump::hear(&mut line.link, &self.interrupt, until).await;
+        let hear = async |line: &mut OpenLine<'a>| line.hear(until, &self.interrupt).await;
         Ok(self.on_line(hear).await?)
     }
 

@@ -2,7 +2,7 @@
 
 use super::trouble;
 use crate::drive::decode::dp::Reader;
-use crate::drive::opening::{Opening, open_trace};
+use crate::drive::opening::{Opening, cut_recording, open_trace};
 use crate::drive::pump;
 use crate::drive::{AccessError, Interrupt};
 use crate::exchange::dp::{Asked, Fdl, Heard, Listening, MASTER, Reply, Timing, Unanswered};
@@ -110,6 +110,7 @@ impl<'a> Line<'a> {
     pub(super) async fn rest(&mut self, until: Tick) -> Result<(), Failure> {
         while self.link.now() < until {
             let heard = pump::hear(&mut self.link, &self.interrupt, until).await;
+            self.tell_of_recording();
             if let Wake::Bytes(bytes) = heard.map_err(|error| AccessError::from(error).failure(0, None))? {
                 self.fdl.feed(self.link.now(), &bytes);
             }
@@ -158,8 +159,15 @@ impl<'a> Line<'a> {
     ) -> Result<Result<Reply, Unanswered>, Failure> {
         self.fdl.ask(station, asked, retries, self.link.now());
         let outcome = pump::run(&mut self.fdl, &mut self.link, &self.interrupt, None).await;
+        self.tell_of_recording();
         self.show();
         outcome.map_err(|error| AccessError::from(error).failure(0, None))
+    }
+
+    fn tell_of_recording(&mut self) {
+        if let Some(cut) = cut_recording(&mut self.link) {
+            (self.observe)(cut);
+        }
     }
 
     /// Tells every telegram, where that is wanted.
