@@ -110,7 +110,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     for address in addresses {
         let mut target = match address {
             0 => Target::new(0, family.clone()).in_word_order(settings.word_order),
-            _ => target_to_change(&mut session, settings, registry, address).await?,
+            _ => target_to_change(&mut session, settings, registry, address).await.map_err(job::nothing_sent)?,
         };
         let steps = steps(args, &target.family, &terms)?;
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;

@@ -37,6 +37,15 @@ fn without_a_terminal_nothing_is_sent_unless_yes() {
 }
 
 #[test]
+fn one_that_is_silent_keeps_the_value_from_all_and_that_is_said() {
+    for (lang, nothing) in [("en", "nothing was written"), ("de", "es wurde nichts geschrieben")] {
+        let run = antrieb(&format!("-p sim -a 1,9 -v --lang {lang} --yes write 480@1=6")).exits(4);
+        assert_eq!(writes(&run.sent()), [""; 0]);
+        assert_eq!(run.err.matches(nothing).count(), 1, "{}", run.err);
+    }
+}
+
+#[test]
 fn what_the_same_command_has_changed_before_is_no_unchanged_value() {
     // All sets have 5 Hz.
     let document = antrieb("-p sim -a 1 --yes write 480=6 480@2=5").json().exits(0);
