@@ -30,7 +30,7 @@ use done::Seen;
 use question::{nothing_stops_it, question};
 use report::{aftermath, report};
 pub(super) use several::{lines, stop_each};
-use unstopped::{but_said, unstopped};
+use unstopped::{but_said, disobeyed, unstopped};
 pub(super) use unstopped::{kept_back, unsent};
 pub(super) use verdict::{interrupted, with_its_stop};
 use whom::{first_said, meant, stop_harder, whom};
@@ -281,7 +281,8 @@ async fn on_drive<'p, C>(
     }
     let blind = Situation::default();
     let checked = check(session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
-    let checked = checked.map_err(unstopped)?;
+    let checked = checked
+        .map_err(|failure| goes_first.map_or(failure.clone(), |act| disobeyed(failure, act, said, before.as_ref())))?;
     if plan.relief.is_none() {
         let told = plan.tells_sets(session, &mut target, before.as_ref().unwrap_or(&blind), watchdog).await;
         told.map_err(unstopped)?;

@@ -18,6 +18,8 @@ use std::cell::{Cell, RefCell};
 
 /// So often all are looked at once more where one of them was set going again, and so often where all are at rest and something is owed.
 const MOST_ROUNDS: u8 = 4;
+/// Who was seen so lately is not looked at again for another one's sake.
+const SEEN_LATELY: Span = Span::from_millis(100);
 /// So long is waited between rounds while other ports are not through, and for them.
 const BEAT: Span = Span::from_millis(100);
 const LONGEST_WAIT: Span = Span::from_secs(120);
@@ -123,8 +125,23 @@ async fn stop_line<'p, C>(
     Ok(came)
 }
 
+/// A drive behind its proof.
+struct Behind<'a> {
+    drive: &'a Meant,
+    came: &'a mut Came,
+    /// Nothing where nothing of it was proven.
+    proven: Cell<Option<Proven>>,
+    /// When it was seen to be as it was told.
+    seen: Option<Tick>,
+    /// It is looked at in this round.
+    is_due: bool,
+    /// It was stopped anew in this round.
+    is_stopped: bool,
+}
+
 /// Looks at all once more behind the last proof, and stops anew who moves or does not say: who was proven early may be set going again while
-/// the others are, and while that one is stopped; so may all behind a look that took long.
+/// the others are, and while that one is stopped; so may all behind a look that took long. Behind such a round those are looked at again that
+/// were not seen lately, as long as that makes it later: beside somebody slow the others are asked soon.
 async fn look_behind(
     session: &mut Session<'_>,
     (registry, act): (&Registry, Relief),
@@ -132,66 +149,86 @@ async fn look_behind(
     (drives, came): (&[Meant], &mut [Came]),
     stop: impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
 ) {
-    let end = session.now() + LONGEST_WAIT;
-    let addresses: Vec<u8> = drives.iter().map(|drive| drive.address).collect();
-    let mut places = Vec::new();
+    let (end, usual) = (session.now() + LONGEST_WAIT, usual_round(drives.len()));
     session.hastens();
-    for one in came.iter() {
-        places.push(Cell::new(proven(session, registry, one).await));
+    let mut each = Vec::new();
+    for (drive, came) in drives.iter().zip(came) {
+        let proven = Cell::new(proven(session, registry, came).await);
+        each.push(Behind { drive, came, proven, seen: None, is_due: true, is_stopped: false });
     }
-    let (mut calm, mut restless, mut stopped) = (0, 0, vec![false; came.len()]);
+    let (mut calm, mut restless, mut before) = (0, 0, None);
     while calm < MOST_ROUNDS && restless < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session).await {
             break;
         }
-        // In turns, so that each is seen last as late as all of them allow: a position takes several looks.
-        let look = async |session: &mut Session<'_>, at: usize| now_of(session, act, places.get(at)).await;
-        let seen = session.side_by_side(&addresses, look).await;
-        let mut oldest = session.now();
-        stopped.fill(false);
-        let all = drives.iter().zip(came.iter_mut()).zip(&places).zip(seen).zip(&mut stopped);
-        for ((((drive, one), place), now), stopped) in all {
-            let now = match now {
-                // Somebody slow says nothing in turns that are short.
-                Now::Unknown => now_of(session, act, Some(place)).await,
-                now => now,
-            };
-            if let Now::Stopped(at) = now {
-                oldest = at.map_or(oldest, |at| at.min(oldest));
-                continue;
-            }
-            *stopped = true;
-            *one = stop(session, drive).await;
-            if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one
-                && now == Now::Moves
-            {
-                motion.notes.push(set_going_again(act));
-            }
-            place.set(place.take().and_then(|place| Proven::of(one, place.target)));
-        }
+        let now = session.now();
+        let is_stale = |one: &Behind<'_>| one.seen.is_none_or(|seen| now.since(seen) > SEEN_LATELY);
+        each.iter_mut().for_each(|one| one.is_due = before.is_none() || is_stale(one));
+        look_around(session, act, &mut each, &stop).await;
+        let now = session.now();
         if is_early {
             session.end_at(None);
             if session.rest(BEAT).await.is_err() {
                 break;
             }
             tokio::task::yield_now().await;
-            continue;
-        }
-        if stopped.contains(&true) {
-            (calm, restless) = (0, restless + 1);
-            continue;
-        }
-        calm += 1;
-        // Where answers take long, the next round is no shorter.
-        let is_fresh = calm > 1 || session.now().since(oldest) <= usual_round(drives.len());
-        if is_fresh && (session.is_shared() || session.owes_for().is_none()) {
-            break;
+        } else if each.iter().any(|one| one.is_stopped) {
+            (calm, restless, before) = (0, restless + 1, None);
+        } else {
+            calm += 1;
+            let unseen = each.iter().filter_map(|one| one.seen).min().map_or(Span::ZERO, |oldest| now.since(oldest));
+            // Where answers take long, a further round is no shorter.
+            let is_enough = |before: Span| unseen > tenths(before, 8) || unseen <= tenths(usual, 12);
+            let is_fresh = unseen <= usual || before.is_some_and(is_enough);
+            if is_fresh && (session.is_shared() || session.owes_for().is_none()) {
+                break;
+            }
+            before = Some(unseen);
         }
     }
-    if stopped.contains(&true) {
-        came.iter_mut().zip(stopped).filter(|(_, stopped)| !stopped).for_each(|(one, _)| unseen_since(one));
+    if each.iter().any(|one| one.is_stopped) {
+        each.iter_mut().filter(|one| !one.is_stopped).for_each(|one| unseen_since(one.came));
     }
+}
+
+/// A round: in turns, so that each is seen last as late as all of them allow, for a position takes several looks.
+async fn look_around(
+    session: &mut Session<'_>,
+    act: Relief,
+    each: &mut [Behind<'_>],
+    stop: &impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
+) {
+    each.iter_mut().for_each(|one| one.is_stopped = false);
+    let due: Vec<_> = each.iter_mut().filter(|one| one.is_due).collect();
+    let whom: Vec<u8> = due.iter().map(|one| one.drive.address).collect();
+    let look =
+        async |session: &mut Session<'_>, at: usize| now_of(session, act, due.get(at).map(|one| &one.proven)).await;
+    let looked = session.side_by_side(&whom, look).await;
+    for (one, now) in due.into_iter().zip(looked) {
+        let now = match now {
+            // Somebody slow says nothing in turns that are short.
+            Now::Unknown => now_of(session, act, Some(&one.proven)).await,
+            now => now,
+        };
+        if let Now::Stopped(seen) = now {
+            one.seen = seen;
+            continue;
+        }
+        one.is_stopped = true;
+        *one.came = stop(session, one.drive).await;
+        if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one.came
+            && now == Now::Moves
+        {
+            motion.notes.push(set_going_again(act));
+        }
+        let again = one.proven.take().and_then(|proven| Proven::of(one.came, proven.target));
+        one.proven.set(again);
+    }
+}
+
+fn tenths(span: Span, tenths: u64) -> Span {
+    Span::from_micros(span.as_micros() * tenths / 10)
 }
 
 /// Somebody was stopped anew, and nobody has looked at this one since.
@@ -263,7 +300,7 @@ enum Now {
     Unknown,
 }
 
-/// A drive of which a stop was proven.
+/// A drive of which a stop was proven, or that it has no power any more.
 struct Proven {
     /// In its word order, so that each look is one question.
     target: Target,
@@ -275,7 +312,11 @@ struct Proven {
 
 impl Proven {
     fn of(came: &Came, target: Target) -> Option<Self> {
-        let Ok(Outcome { data: Some(Data::Motion(motion)), failure: None, .. }) = came else { return None };
+        let Ok(Outcome { data: Some(Data::Motion(motion)), failure, .. }) = came else { return None };
+        // Without power nothing may tell whether the shaft stands; that it has power again can be seen.
+        if failure.as_ref().is_some_and(|failure| failure.code != verdict::STANDSTILL_UNPROVEN) {
+            return None;
+        }
         let state = motion.to.as_ref().map(|state| state.slug.clone());
         Some(Proven { target, stands: motion.standing == Some(true), state })
     }

@@ -1,5 +1,6 @@
 //! What is said where a stop is not proven, or could not go out at all.
 
+use crate::drive::motion::{Situation, has_power};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::text::{Text, both};
@@ -53,6 +54,20 @@ pub(super) fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
     ) {
         return failure;
     }
+    unproven(failure, act, said)
+}
+
+/// The failure of an act that was to take motion away, and that the drive is found not to obey; as it was found before.
+pub(super) fn disobeyed(failure: Failure, act: Relief, said: bool, before: Option<&Situation>) -> Failure {
+    let is_off = before.is_some_and(|before| has_power(&before.state) == Some(false));
+    if failure.class == Class::Forbidden && !is_off {
+        unproven(failure, act, said)
+    } else {
+        unstopped(failure, act, said)
+    }
+}
+
+fn unproven(failure: Failure, act: Relief, said: bool) -> Failure {
     let (said, hint) = match act {
         // It may have been lost before the first of its bytes.
         _ if failure.class == Class::Port => {

@@ -112,7 +112,7 @@ fn a_drive_that_was_proven_early_is_looked_at_once_more_behind_the_others() {
         let ramps = format!("ramps = {{ up_right = 50, down_right = {ramp}, up_left = 50, down_left = {ramp} }}");
         drive(RUNNING, &format!("{ramps}\n{rest}"))
             .replace("model = \"acu\"", &format!("model = \"acu\"\naddress = {address}"))
-            .replace("1ms", "5ms")
+            .replace("\"1ms\"", "\"5ms\"")
     };
     let line = |verb: &str, event: &str| {
         let bench = format!("{}{}", one(1, 100, event), one(2, 2, ""));
@@ -146,7 +146,7 @@ fn all_of_a_group_are_looked_at_behind_each_that_is_stopped_again() {
             let event = [first, "", "", last][usize::from(address) - 1];
             drive(&format!("{RUNNING}, \"424\" = 5000, \"425\" = 5000"), event)
                 .replace("model = \"acu\"", &format!("model = \"acu\"\naddress = {address}"))
-                .replace("1ms", "60ms")
+                .replace("\"1ms\"", "\"60ms\"")
         };
         (1..=4).map(one).collect()
     };
@@ -170,6 +170,32 @@ fn all_of_a_group_are_looked_at_behind_each_that_is_stopped_again() {
         }
     }
     assert!(both > 9, "{both}");
+}
+
+/// One that lost its power before it was seen to stand proves nothing; that it has power again is seen all the same.
+#[test]
+fn one_whose_standstill_nothing_showed_is_looked_at_behind_the_others_too() {
+    let one = |address: u8, events: &str| {
+        let ramps = "ramps = { up_right = 50, down_right = 2, up_left = 50, down_left = 2 }";
+        drive(RUNNING, &format!("{ramps}\n{events}")).replace("\"acu\"", &format!("\"acu\"\naddress = {address}"))
+    };
+    let event = |at: u32, word: u8| format!("[[drive.event]]\nat = \"{at}ms\"\nset = {{ \"410\" = {word} }}\n");
+    let mut told = 0;
+    for (verb, again) in
+        ["disable", "quick-stop"].into_iter().flat_map(|verb| (8_600..10_000).step_by(100).map(move |at| (verb, at)))
+    {
+        let words = [(8_300, 0), (again, 6), (again + 50, 7), (again + 100, 15)];
+        let bench = one(1, &words.map(|(at, word)| event(at, word)).concat()) + &one(2, "");
+        let run =
+            ran(Span::from_secs(8), &format!("-v -b 115200 -a 1,2 --drive acu statemachine {verb}"), &bench).json();
+        let (mut bench, end) = witness::left().unwrap();
+        bench.advance(end);
+        let is_late = end < Tick::ZERO + Span::from_millis((again + 300).into());
+        let is_told = run.err.contains("THE SHAFT MAY STILL TURN");
+        assert!(bench.totals().turning == 0 || is_late || is_told, "{verb} {again} of {end:?}: {:#}", run.value);
+        told += usize::from(run.data("/drives/0/motion/notes").to_string().contains(AGAIN));
+    }
+    assert!(told > 2, "{told}");
 }
 
 /// One of the last answers takes long, but comes in its time: nothing is owed, and what the drive did meanwhile is seen all the same.

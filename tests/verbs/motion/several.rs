@@ -60,6 +60,29 @@ fn the_last_questions_of_a_stop_go_to_each_as_often() {
     }
 }
 
+/// One that answers late is asked several times; the others are asked again behind that.
+#[test]
+fn a_slow_one_keeps_none_of_the_others_unseen() {
+    for (model, verb) in [("lxm05", "sollwert 0"), ("lxm05", "statemachine disable"), ("acu", "statemachine disable")] {
+        let set = if model == "acu" { "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10" } else { "" };
+        let drive = |address| {
+            let delay = if address == 3 { 200 } else { 5 };
+            format!(
+                "[[drive]]\nmodel = \"{model}\"\naddress = {address}\nreply_delay = \"{delay}ms\"\nset = {{ {set} }}\n"
+            )
+        };
+        let run =
+            antrieb(&format!("-v -a 1-5 --drive {model} {verb}")).on(&(1..=5).map(drive).collect::<String>()).exits(0);
+        let answers = run.err.lines().filter_map(|line| line.trim().split_once(" ms < "));
+        let answers: Vec<(f64, &str)> = answers.map(|(at, hex)| (at.parse().unwrap(), &hex[..2])).collect();
+        let end = answers.last().unwrap().0;
+        for address in ["01", "02", "04", "05"] {
+            let last = answers.iter().rfind(|answer| answer.1 == address).unwrap().0;
+            assert!(end - last < 300.0, "{model} {verb} {address}: {last} of {end}");
+        }
+    }
+}
+
 #[test]
 fn who_does_not_hear_is_named_and_the_others_stand() {
     let bench = line("[[drive.event]]\nat = \"0s\"\nsilent = \"2min\"\n");

@@ -95,7 +95,7 @@ fn a_reset_gives_back_the_control_that_it_took_unless_that_could_start_the_shaft
         let set = READY.replace("\"412\" = 1", &format!("\"412\" = {mode}"));
         let readings = "readings = { other_modes = \"contacts\" }";
         // The first look comes behind the reaction to the fault.
-        let bench = |events: &str| drive(&set, &format!("{readings}\n{events}")).replace("1ms", "50ms");
+        let bench = |events: &str| drive(&set, &format!("{readings}\n{events}")).replace("\"1ms\"", "\"50ms\"");
         let back = antrieb(line).on(&bench(&format!("{open}{fault}"))).json().exits(0);
         let restored = |run: &crate::run::Document| {
             let changed = run.data("/changed").as_array().unwrap().clone();

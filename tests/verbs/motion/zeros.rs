@@ -84,3 +84,18 @@ fn a_zero_that_the_drive_lifts_is_no_success_whoever_chose_its_source() {
     assert_eq!(document.error()["code"], "no.not_standing");
     assert!(document.err.contains("THE SHAFT MAY STILL TURN"), "{}", document.err);
 }
+
+/// The drive does not count the setpoint of the line: its shaft turns on at its own.
+#[test]
+fn a_zero_that_does_not_count_is_told_with_the_capitals_where_the_drive_has_power() {
+    let first = |bench: &str, line: &str| {
+        let run = antrieb(&format!("-b 115200 {line} sollwert 0")).on(bench).run();
+        assert_ne!(run.exit, 0, "{}", run.err);
+        run.err.contains("THE SHAFT MAY STILL TURN")
+    };
+    let turning = inverter(1, 1, 20);
+    assert!(first(&turning, "-a 1"));
+    let other = inverter(1, 2, 0).replace("\"acu\"", "\"acu\"\naddress = 2");
+    assert!(first(&format!("{turning}{other}"), "-a 1,2"));
+    assert!(!first(&turning.replace("\"410\" = 15", "\"410\" = 0"), "-a 1"), "without power");
+}
