@@ -141,7 +141,7 @@ struct Behind<'a> {
 
 /// Looks at all once more behind the last proof, and stops anew who moves or does not say: who was proven early may be set going again while
 /// the others are, and while that one is stopped; so may all behind a look that took long. Behind such a round those are looked at again that
-/// were not seen lately, as long as that makes it later: beside somebody slow the others are asked soon.
+/// were not seen lately: beside somebody slow the others are.
 async fn look_behind(
     session: &mut Session<'_>,
     (registry, act): (&Registry, Relief),
@@ -156,7 +156,7 @@ async fn look_behind(
         let proven = Cell::new(proven(session, registry, came).await);
         each.push(Behind { drive, came, proven, seen: None, is_due: true, is_stopped: false });
     }
-    let (mut calm, mut restless, mut before) = (0, 0, None);
+    let (mut calm, mut restless, mut all) = (0, 0, true);
     while calm < MOST_ROUNDS && restless < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session).await {
@@ -164,7 +164,7 @@ async fn look_behind(
         }
         let now = session.now();
         let is_stale = |one: &Behind<'_>| one.seen.is_none_or(|seen| now.since(seen) > SEEN_LATELY);
-        each.iter_mut().for_each(|one| one.is_due = before.is_none() || is_stale(one));
+        each.iter_mut().for_each(|one| one.is_due = all || is_stale(one));
         look_around(session, act, &mut each, &stop).await;
         let now = session.now();
         if is_early {
@@ -174,17 +174,16 @@ async fn look_behind(
             }
             tokio::task::yield_now().await;
         } else if each.iter().any(|one| one.is_stopped) {
-            (calm, restless, before) = (0, restless + 1, None);
+            (calm, restless, all) = (0, restless + 1, true);
         } else {
             calm += 1;
             let unseen = each.iter().filter_map(|one| one.seen).min().map_or(Span::ZERO, |oldest| now.since(oldest));
-            // Where answers take long, a further round is no shorter.
-            let is_enough = |before: Span| unseen > tenths(before, 8) || unseen <= tenths(usual, 12);
-            let is_fresh = unseen <= usual || before.is_some_and(is_enough);
+            // Who is slow was seen last, and is not asked again for the sake of the others.
+            let is_fresh = unseen <= usual || each.iter().any(|one| !one.is_due);
             if is_fresh && (session.is_shared() || session.owes_for().is_none()) {
                 break;
             }
-            before = Some(unseen);
+            all = false;
         }
     }
     if each.iter().any(|one| one.is_stopped) {
@@ -225,10 +224,6 @@ async fn look_around(
         let again = one.proven.take().and_then(|proven| Proven::of(one.came, proven.target));
         one.proven.set(again);
     }
-}
-
-fn tenths(span: Span, tenths: u64) -> Span {
-    Span::from_micros(span.as_micros() * tenths / 10)
 }
 
 /// Somebody was stopped anew, and nobody has looked at this one since.
