@@ -270,9 +270,10 @@ fn replies_in_pieces_cost_their_pauses_and_nothing_more() {
     for size in [1, 2, 5] {
         for (name, weather) in rough(&format!("pieces of {size}"), Weather { pieces: (size, 16), ..Weather::default() })
         {
+            // What is alike is doubted for the first two words: a fence and a question each.
             for protocol in Protocol::ALL {
                 let ratio = ratio(protocol, &name, weather);
-                assert!(ratio < 1.05, "{protocol} {name}: {ratio:.2}");
+                assert!(ratio < 1.08, "{protocol} {name}: {ratio:.2}");
             }
         }
     }
@@ -280,7 +281,7 @@ fn replies_in_pieces_cost_their_pauses_and_nothing_more() {
     for (name, weather) in rough("late, in pieces", both) {
         for protocol in Protocol::ALL {
             let ratio = ratio(protocol, &name, weather);
-            assert!(ratio < 1.1, "{protocol} {name}: {ratio:.2}");
+            assert!(ratio < 1.15, "{protocol} {name}: {ratio:.2}");
         }
     }
 }
