@@ -666,7 +666,9 @@ def check_prompt(case, run, breaks, truth, keep):
         late = stop is None or first.step >= stop - 1
         demand(keep or late, f"step {first.step} was before the stop at {stop}, but it is told as {at}")
         # A signal during the stop shortens it to a coast: then nobody saw the shaft stand.
-        coasts = at["escalated"] == "coast" and run.code == 8
+        # So it is where a machine that loses 50 ms sees it only when P.638 has taken its power.
+        unseen = at["escalated"] == "coast" or "forbidden.standstill_unproven" in run.out
+        coasts = unseen and run.code == 8
         demand(run.code == 0 or coasts, f"came when the run was over, but exit {run.code}")
     if not keep and stop and first.step < stop:
         took = run.sent[stop - 1][0] - first.fired
