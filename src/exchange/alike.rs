@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 /// would cost that for each value.
 const ALONE: u8 = 6;
 /// So many words must have been the answer to two things until no others of this station are asked for again: each costs a fence and a
-/// question, and the first are most often 0, which tells nothing of the others.
+/// question, and the first is most often 0, which tells nothing of the others.
 const WORDS: usize = 2;
 /// Words that are remembered of a station.
 const MOST: usize = 64;

@@ -667,9 +667,8 @@ def check_prompt(case, run, breaks, truth, keep):
         demand(keep or late, f"step {first.step} was before the stop at {stop}, but it is told as {at}")
         # A signal during the stop shortens it to a coast: then nobody saw the shaft stand.
         # So it is where a machine that loses 50 ms sees it only when P.638 has taken its power.
-        unseen = at["escalated"] == "coast" or "forbidden.standstill_unproven" in run.out
-        coasts = unseen and run.code == 8
-        demand(run.code == 0 or coasts, f"came when the run was over, but exit {run.code}")
+        unseen = run.code == 8 and (at["escalated"] == "coast" or "forbidden.standstill_unproven" in run.out)
+        demand(run.code == 0 or unseen, f"came when the run was over, but exit {run.code}")
     if not keep and stop and first.step < stop:
         took = run.sent[stop - 1][0] - first.fired
         demand(took < PROMPT_S, f"{took:.2f} s until the stop was on the line")

@@ -125,7 +125,7 @@ fn forbids(failure: &Failure, force: bool) -> bool {
     failure.class != Class::Refused || !(force || names_another)
 }
 
-/// A failure on the way to the first write.
+/// A failure on the way to the first write; it says that nothing was written.
 pub fn nothing_sent(failure: Failure) -> Failure {
     let text = both!("nothing was written", "es wurde nichts geschrieben");
     Failure { message: both!("{why}; {text}", "{why}; {text}", why = failure.message, text), ..failure }
