@@ -207,10 +207,10 @@ impl Debts {
         self.by_station.get(&station).map(|debt| (debt.due, debt.since + LATEST_OF_ALL))
     }
 
-    /// Until when a reply may still come from a station that has answered before and owes one.
-    pub(super) fn until(&self) -> impl Iterator<Item = Tick> {
+    /// The stations that have answered before and owe a reply, and until when it may still come.
+    pub(super) fn owing(&self) -> impl Iterator<Item = (u8, Tick)> {
         let owing = self.by_station.iter().filter(|(station, _)| self.heard.contains(station));
-        owing.map(|(_, debt)| debt.held)
+        owing.map(|(&station, debt)| (station, debt.held))
     }
 }
 
@@ -296,9 +296,9 @@ mod tests {
         let mut debts = Debts::default();
         debts.owes(1, question(1), at(500), at(0));
         debts.owes(2, question(1), at(600), at(100));
-        assert_eq!(debts.until().count(), 0);
+        assert_eq!(debts.owing().count(), 0);
         debts.hears(2);
-        assert_eq!(debts.until().collect::<Vec<_>>(), [at(2_100)]);
+        assert_eq!(debts.owing().collect::<Vec<_>>(), [(2, at(2_100))]);
     }
 
     fn words(words: &[u16]) -> Said {

@@ -55,4 +55,15 @@ mod tests {
             assert_eq!(counted(&alone, &[]), 0, "{alone:?}");
         }
     }
+
+    /// The check value of its first six bytes happens to stand in the value 9904619.
+    #[test]
+    fn the_beginning_of_a_reply_is_nobody_s_read_of_more_than_a_telegram_holds() {
+        let reply = telegram(6, &[3, 4, 0x00, 0x97, 0x21, 0xEB]);
+        assert_eq!(reply, [0x06, 0x03, 0x04, 0x00, 0x97, 0x21, 0xEB, 0x65, 0x00]);
+        let dialect = Dialect::new(Framing::Rtu.into());
+        assert!((1..=reply.len()).all(|end| last(dialect, &reply[..end], |_| false).is_none()));
+        let read = telegram(6, &[3, 4, 0, 0, 125]);
+        assert!(last(dialect, &read, |_| false).is_some());
+    }
 }

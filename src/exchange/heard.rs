@@ -71,6 +71,8 @@ pub(super) struct Heard {
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
     late: BTreeMap<u8, (u8, Span)>,
+    /// The longest that a reply of a station ever came behind its time.
+    latest: BTreeMap<u8, Span>,
     /// The copy of the last answer is over then.
     copy_due: Option<(u8, Tick)>,
 }
@@ -223,6 +225,8 @@ impl Heard {
     pub(super) fn sees_late(&mut self, station: u8, by: Span) {
         let late = self.late.entry(station).or_default();
         *late = (late.0.saturating_add(1), late.1.longer(by.min(LATEST_WAIT)));
+        let latest = self.latest.entry(station).or_default();
+        *latest = latest.longer(by);
     }
 
     /// A station has answered in time.
@@ -235,6 +239,13 @@ impl Heard {
     pub(super) fn patience(&self, station: u8) -> Span {
         let late = self.late.get(&station).filter(|late| late.0 >= OFTEN_LATE);
         late.map_or(Span::ZERO, |late| late.1 + Span::from_micros(late.1.as_micros() / 4) + LATE_MARGIN)
+    }
+
+    /// The longest that a station took, from the end of a question to the start of its reply, or was behind its time.
+    pub(super) fn slowest(&self, station: u8) -> Span {
+        let paces = self.paces.range((station, 0)..=(station, u8::MAX)).map(|(_, pace)| pace.slowest);
+        let slowest = paces.filter_map(|micros| u64::try_from(micros).ok()).max().map_or(Span::ZERO, Span::from_micros);
+        self.latest.get(&station).map_or(slowest, |late| slowest.longer(*late))
     }
 
     /// Weighs an answer. `doubtful`: garbage came before it.

@@ -255,11 +255,26 @@ impl Master {
     /// one. Nothing must be closed before, or another program would take that reply for its own. `None` if nobody owes
     /// anything.
     pub fn owes_until(&self, now: Tick) -> Option<Tick> {
+        self.owing(now).map(|(_, until)| until).max()
+    }
+
+    /// Whether a station is one of those that owe a reply.
+    pub fn is_owed_by(&self, station: u8, now: Tick) -> bool {
+        self.owing(now).any(|(owes, _)| owes == station)
+    }
+
+    fn owing(&self, now: Tick) -> impl Iterator<Item = (u8, Tick)> {
         let open = match &self.job {
-            Some(Job { phase: Phase::Reply(waiting), .. }) => Some(waiting.deadline),
-            _ => self.orphan.as_ref().map(|orphan| orphan.deadline),
+            Some(Job { station, phase: Phase::Reply(waiting), .. }) => Some((*station, waiting.deadline)),
+            _ => self.orphan.as_ref().map(|orphan| (orphan.station, orphan.deadline)),
         };
-        self.debts.until().chain(open).filter(|&until| until > now).max()
+        self.debts.owing().chain(open).filter(move |&(_, until)| until > now)
+    }
+
+    /// The longest that a station took for an answer, of those that were believed without doubt, or was behind its time; zero where nothing
+    /// tells that.
+    pub fn slowest_answer(&self, station: u8) -> Span {
+        self.heard.slowest(station)
     }
 
     /// From now on fences for this station use these counters (sub-functions of code 8); without it, what every family

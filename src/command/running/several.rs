@@ -1,31 +1,20 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
-use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped, verdict};
+use self::behind::{Came, Others, look_behind};
+use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped};
 use crate::args::{Settings, called};
 use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
-use crate::drive::motion::{
-    Call, LAST_LOOK, Meant, Motor, OPERATION, QUICK_STOP, Situation, set_going_again, shout_round, state_now, turns,
-};
+use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
 use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
-use crate::tick::{Span, Tick};
 use std::cell::{Cell, RefCell};
 
-/// So often all are looked at once more where one of them was set going again, and so often where all are at rest and something is owed.
-const MOST_ROUNDS: u8 = 4;
-/// Who was seen so lately is not looked at again for another one's sake.
-const SEEN_LATELY: Span = Span::from_millis(100);
-/// So long is waited between rounds while other ports are not through, and for them.
-const BEAT: Span = Span::from_millis(100);
-const LONGEST_WAIT: Span = Span::from_secs(120);
-
-/// What came of one drive.
-type Came = Result<Outcome, Failure>;
+mod behind;
 
 /// A drive among several: its name, where the drives lie on several lines, and its address.
 type Who = (Option<String>, u8);
@@ -123,241 +112,6 @@ async fn stop_line<'p, C>(
     let again = async |session: &mut Session<'_>, drive: &Meant| stop(session, drive, None, false).await;
     look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
     Ok(came)
-}
-
-/// A drive behind its proof.
-struct Behind<'a> {
-    drive: &'a Meant,
-    came: &'a mut Came,
-    /// Nothing where nothing of it was proven.
-    proven: Cell<Option<Proven>>,
-    /// When it was seen to be as it was told.
-    seen: Option<Tick>,
-    /// It is looked at in this round.
-    is_due: bool,
-    /// It was stopped anew in this round.
-    is_stopped: bool,
-}
-
-/// Looks at all once more behind the last proof, and stops anew who moves or does not say: who was proven early may be set going again while
-/// the others are, and while that one is stopped; so may all behind a look that took long. Behind such a round those are looked at again that
-/// were not seen lately: beside somebody slow the others are.
-async fn look_behind(
-    session: &mut Session<'_>,
-    (registry, act): (&Registry, Relief),
-    others: &Others<'_>,
-    (drives, came): (&[Meant], &mut [Came]),
-    stop: impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
-) {
-    let (end, usual) = (session.now() + LONGEST_WAIT, usual_round(drives.len()));
-    session.hastens();
-    let mut each = Vec::new();
-    for (drive, came) in drives.iter().zip(came) {
-        let proven = Cell::new(proven(session, registry, came).await);
-        each.push(Behind { drive, came, proven, seen: None, is_due: true, is_stopped: false });
-    }
-    let (mut calm, mut restless, mut all) = (0, 0, true);
-    while calm < MOST_ROUNDS && restless < MOST_ROUNDS {
-        let is_early = others.are_busy() && session.now() < end;
-        if !waits_for_what_is_owed(session).await {
-            break;
-        }
-        let now = session.now();
-        let is_stale = |one: &Behind<'_>| one.seen.is_none_or(|seen| now.since(seen) > SEEN_LATELY);
-        each.iter_mut().for_each(|one| one.is_due = all || is_stale(one));
-        look_around(session, act, &mut each, &stop).await;
-        let now = session.now();
-        if is_early {
-            session.end_at(None);
-            if session.rest(BEAT).await.is_err() {
-                break;
-            }
-            tokio::task::yield_now().await;
-        } else if each.iter().any(|one| one.is_stopped) {
-            (calm, restless, all) = (0, restless + 1, true);
-        } else {
-            calm += 1;
-            let unseen = each.iter().filter_map(|one| one.seen).min().map_or(Span::ZERO, |oldest| now.since(oldest));
-            // Who is slow was seen last, and is not asked again for the sake of the others.
-            let is_fresh = unseen <= usual || each.iter().any(|one| !one.is_due);
-            if is_fresh && (session.is_shared() || session.owes_for().is_none()) {
-                break;
-            }
-            all = false;
-        }
-    }
-    if each.iter().any(|one| one.is_stopped) {
-        each.iter_mut().filter(|one| !one.is_stopped).for_each(|one| unseen_since(one.came));
-    }
-}
-
-/// A round: in turns, so that each is seen last as late as all of them allow, for a position takes several looks.
-async fn look_around(
-    session: &mut Session<'_>,
-    act: Relief,
-    each: &mut [Behind<'_>],
-    stop: &impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
-) {
-    each.iter_mut().for_each(|one| one.is_stopped = false);
-    let due: Vec<_> = each.iter_mut().filter(|one| one.is_due).collect();
-    let whom: Vec<u8> = due.iter().map(|one| one.drive.address).collect();
-    let look =
-        async |session: &mut Session<'_>, at: usize| now_of(session, act, due.get(at).map(|one| &one.proven)).await;
-    let looked = session.side_by_side(&whom, look).await;
-    for (one, now) in due.into_iter().zip(looked) {
-        let now = match now {
-            // Somebody slow says nothing in turns that are short.
-            Now::Unknown => now_of(session, act, Some(&one.proven)).await,
-            now => now,
-        };
-        if let Now::Stopped(seen) = now {
-            one.seen = seen;
-            continue;
-        }
-        one.is_stopped = true;
-        *one.came = stop(session, one.drive).await;
-        if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = one.came
-            && now == Now::Moves
-        {
-            motion.notes.push(set_going_again(act));
-        }
-        let again = one.proven.take().and_then(|proven| Proven::of(one.came, proven.target));
-        one.proven.set(again);
-    }
-}
-
-/// Somebody was stopped anew, and nobody has looked at this one since.
-fn unseen_since(came: &mut Came) {
-    let Ok(Outcome { data: Some(Data::Motion(motion)), failure: failure @ None, .. }) = came else { return };
-    motion.standing = None;
-    if let Some(setpoint) = &mut motion.setpoint {
-        setpoint.reached = None;
-    }
-    let text = both!(
-        "somebody else sets drives of the group going again; since the last of them was stopped nobody has looked at this one",
-        "jemand anderes setzt Antriebe der Gruppe wieder in Gang; seit dem Halt des letzten hat diesen niemand angesehen"
-    );
-    let unseen = Failure::new(Class::Forbidden, verdict::STANDSTILL_UNPROVEN, text);
-    *failure = Some(verdict::warned(unseen).hint(both!(
-        "stop that, and say the stop again; or the enable input, the emergency stop, the mains",
-        "das abstellen, und den Halt noch einmal geben; oder Freigabeeingang, Not-Halt, Netz"
-    )));
-}
-
-/// Behind a look at so many drives, each was seen as lately as this, unless an answer was late.
-fn usual_round(drives: usize) -> Span {
-    const EACH: Span = Span::from_millis(40);
-    Span::from_micros(EACH.as_micros() * drives as u64).longer(Span::from_millis(200))
-}
-
-/// The other ports, whose drives are stopped at the same time.
-struct Others<'a> {
-    /// So many ports are not through yet.
-    busy: &'a Cell<usize>,
-    /// This one is counted among them.
-    counts: Cell<bool>,
-    /// Its drives are looked at until all are through: it is the last line of its port.
-    waits: bool,
-}
-
-impl Others<'_> {
-    /// The drives of this line are proven, or were not reached.
-    fn is_done(&self) {
-        if self.counts.replace(false) {
-            self.busy.set(self.busy.get().saturating_sub(1));
-        }
-    }
-
-    fn are_busy(&self) -> bool {
-        self.waits && self.busy.get() > 0
-    }
-}
-
-/// Waits for replies that are still owed, if nobody else has the line: it is kept for so long anyway. Whether there is time to look once more;
-/// who interrupts has none.
-async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
-    if session.is_interrupted() || session.presses() > 0 {
-        return false;
-    }
-    let left = session.owes_for().filter(|_| !session.is_shared()).unwrap_or(Span::ZERO);
-    session.end_at(None);
-    session.rest(left).await.is_ok()
-}
-
-/// What a drive does behind its proof.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Now {
-    /// As it was told, and seen so then; without a time nothing was proven of it anyway.
-    Stopped(Option<Tick>),
-    /// Somebody else has set it going.
-    Moves,
-    /// It does not say.
-    Unknown,
-}
-
-/// A drive of which a stop was proven, or that it has no power any more.
-struct Proven {
-    /// In its word order, so that each look is one question.
-    target: Target,
-    /// It was seen to stand.
-    stands: bool,
-    /// The state in which it was left.
-    state: Option<String>,
-}
-
-impl Proven {
-    fn of(came: &Came, target: Target) -> Option<Self> {
-        let Ok(Outcome { data: Some(Data::Motion(motion)), failure, .. }) = came else { return None };
-        // Without power nothing may tell whether the shaft stands; that it has power again can be seen.
-        if failure.as_ref().is_some_and(|failure| failure.code != verdict::STANDSTILL_UNPROVEN) {
-            return None;
-        }
-        let state = motion.to.as_ref().map(|state| state.slug.clone());
-        Some(Proven { target, stands: motion.standing == Some(true), state })
-    }
-
-    /// Whether somebody has had it in hand since: it is enabled, its shaft turns, or it is in another state. A quick stop ends by itself.
-    async fn is_touched(&mut self, session: &mut Session<'_>) -> Result<Option<Now>, Failure> {
-        if self.stands && turns(session, &mut self.target).await? {
-            return Ok(Some(Now::Moves));
-        }
-        let state = state_now(session, &mut self.target).await?;
-        let known = self.state.as_deref().filter(|known| *known != QUICK_STOP);
-        Ok(match state.as_str() {
-            OPERATION => Some(Now::Moves),
-            state if known.is_some_and(|known| known != state) => Some(Now::Unknown),
-            _ => None,
-        })
-    }
-}
-
-/// The same of what came of it, if that is one.
-async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Proven> {
-    let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return None };
-    let mut proven = Proven::of(came, Target::new(motion.address, registry.family(&motion.drive)?).greeted())?;
-    if session.is_interrupted() {
-        return None;
-    }
-    session.speaks_of(Some(motion.address));
-    session.end_at(Some(session.now() + LAST_LOOK));
-    // Without an answer the look is told that, too.
-    let _ = proven.target.route(session).await;
-    Some(proven)
-}
-
-/// What a drive does now of which a stop was proven, if this is one.
-async fn now_of(session: &mut Session<'_>, act: Relief, place: Option<&Cell<Option<Proven>>>) -> Now {
-    let Some((place, mut proven)) = place.and_then(|place| Some((place, place.take()?))) else {
-        return Now::Stopped(None);
-    };
-    session.speaks_of(Some(proven.target.address));
-    session.end_at(Some(session.now() + LAST_LOOK));
-    let now = match act {
-        Relief::Zero => turns(session, &mut proven.target).await.map(|turns| turns.then_some(Now::Moves)),
-        _ => proven.is_touched(session).await,
-    };
-    place.set(Some(proven));
-    now.map_or(Now::Unknown, |now| now.unwrap_or(Now::Stopped(Some(session.now()))))
 }
 
 /// Refuses a line of another kind among several: nothing is sent on it, and the others are stopped.

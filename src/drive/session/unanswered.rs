@@ -67,6 +67,16 @@ impl Session<'_> {
         self.line.borrow().master.owes_until(now).map(|until| until.since(now))
     }
 
+    /// Whether a station owes one.
+    pub fn is_owed_by(&self, station: u8) -> bool {
+        self.line.borrow().master.is_owed_by(station, self.now())
+    }
+
+    /// The longest that a station took for an answer so far.
+    pub fn slowest_answer(&self, station: u8) -> Span {
+        self.line.borrow().master.slowest_answer(station)
+    }
+
     /// Whether a station was asked for what an earlier master left there.
     pub(in crate::drive) fn is_unlocked(&self, station: u8) -> bool {
         self.known.unlocked.contains(&station)

@@ -6,7 +6,7 @@ mod cut;
 use super::{Asks, Cut, Found, Old, Question, STRAGGLE, Said, Says, Speech};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::{COUNTERS, Exception, Reply, Request};
+use crate::protocol::modbus::pdu::{COUNTERS, Exception, MOST_READ, Reply, Request};
 use crate::protocol::modbus::{Adu, Framing, ascii, mbap, rtu};
 use crate::tick::Span;
 use std::ops::Range;
@@ -269,7 +269,12 @@ fn has_form_of_question(framing: Framing, bytes: &[u8]) -> bool {
     match framing {
         Framing::Rtu => {
             let pdu = bytes.get(1..bytes.len().saturating_sub(2)).unwrap_or_default();
-            Request::decode(pdu).is_ok_and(|request| !matches!(request, Request::Other { .. }))
+            // The reply to a read of two registers may begin as a read of many, with a right check value: more than any station takes.
+            Request::decode(pdu).is_ok_and(|request| match request {
+                Request::Other { .. } => false,
+                Request::ReadRegisters { count, .. } => count <= MOST_READ,
+                _ => true,
+            })
         }
         Framing::Ascii => is_line(bytes),
         Framing::Tcp => true,

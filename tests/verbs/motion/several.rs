@@ -64,7 +64,7 @@ fn the_last_questions_of_a_stop_go_to_each_as_often() {
 #[test]
 fn a_slow_one_keeps_none_of_the_others_unseen() {
     for (model, verb) in [("lxm05", "sollwert 0"), ("lxm05", "statemachine disable"), ("acu", "statemachine disable")] {
-        let set = if model == "acu" { "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10" } else { "" };
+        let set = if model == "acu" { "\"410\" = 15, \"412\" = 1, \"418\" = 0, \"434\" = 2, \"484\" = 10" } else { "" };
         let drive = |address| {
             let delay = if address == 3 { 200 } else { 5 };
             format!(
@@ -196,5 +196,39 @@ fn a_dry_run_tells_a_setpoint_as_often_as_it_is_sent() {
         let told = told.iter().filter(|row| given(row["hex"].as_str().unwrap())).count();
         let sent = antrieb(&format!("-v {line}")).on(act).run().sent();
         assert_eq!(told, sent.iter().filter(|hex| given(hex)).count(), "{setpoint}: {sent:?}");
+    }
+}
+
+/// However late one of them answers: the others are seen until shortly before the end, until which the line is kept for what that one owes.
+#[test]
+fn nobody_of_a_group_is_unseen_behind_what_a_late_one_left_owed() {
+    for model in ["lxm05", "acu"] {
+        let runs = "\"410\" = 15, \"412\" = 1, \"418\" = 0, \"434\" = 2, \"484\" = 10";
+        let set = if model == "acu" { runs } else { "" };
+        for (delay, every) in [(5, 3), (5, 7), (150, 5), (250, 3), (600, 2)] {
+            let drive = |address| {
+                let delay = if address == 2 { delay } else { 5 };
+                format!(
+                    "[[drive]]\nmodel = \"{model}\"\naddress = {address}\nreply_delay = \"{delay}ms\"\nset = {{ {set} }}\n"
+                )
+            };
+            let late = format!("[[disturb]]\naddress = 2\nevery = {every}\nkind = \"late\"\nby = \"700ms\"\n");
+            let bench = (1..=8).map(drive).collect::<String>() + &late;
+            for verb in ["sollwert 0", "statemachine disable", "statemachine quick-stop"] {
+                let run = antrieb(&format!("-v -a 1-8 --drive {model} {verb}")).on(&bench).run();
+                let end = witness::left().unwrap().1.as_micros() as f64 / 1000.0;
+                let answers = run.err.lines().filter_map(|line| line.trim().split_once(" ms < "));
+                let answers: Vec<(f64, &str)> = answers.map(|(at, hex)| (at.parse().unwrap(), &hex[..2])).collect();
+                for address in ["01", "03", "04", "05", "06", "07", "08"] {
+                    let last = answers.iter().rfind(|answer| answer.1 == address).unwrap().0;
+                    assert!(
+                        end - last < 350.0,
+                        "{model} {verb} {delay} {every}: {address} {last} of {end}: {}",
+                        run.err
+                    );
+                }
+                assert!(end < 60_000.0, "{model} {verb} {delay} {every}: {end}");
+            }
+        }
     }
 }
