@@ -1,0 +1,337 @@
+//! Looks at all once more behind the last proof, and stops anew who moves or does not say: who was proven early may be set going again while
+//! the others are, and while that one is stopped; so may all behind a look that took long.
+
+use super::super::verdict;
+use crate::drive::motion::{LAST_LOOK, Meant, OPERATION, QUICK_STOP, set_going_again, state_now, turns};
+use crate::drive::{Session, Target};
+use crate::failure::{Class, Failure};
+use crate::gate::Relief;
+use crate::outcome::{Data, Outcome};
+use crate::profile::Registry;
+use crate::text::{Text, both};
+use crate::tick::Span;
+use std::cell::Cell;
+use std::cmp::Reverse;
+
+/// So often all are looked at once more where one of them was set going again, and so often where all are at rest and something is owed.
+const MOST_ROUNDS: u8 = 4;
+/// So long is waited between rounds while other ports are not through, and for them.
+const BEAT: Span = Span::from_millis(100);
+const LONGEST_WAIT: Span = Span::from_secs(120);
+/// Who took longer for an answer is looked at alone, before the others: behind him they would be unseen for as long.
+const SLOW: Span = Span::from_millis(60);
+
+/// What came of one drive.
+pub(super) type Came = Result<Outcome, Failure>;
+
+/// The other ports, whose drives are stopped at the same time.
+pub(super) struct Others<'a> {
+    /// So many ports are not through yet.
+    pub(super) busy: &'a Cell<usize>,
+    /// This one is counted among them.
+    pub(super) counts: Cell<bool>,
+    /// Its drives are looked at until all are through: it is the last line of its port.
+    pub(super) waits: bool,
+}
+
+impl Others<'_> {
+    /// The drives of this line are proven, or were not reached.
+    pub(super) fn is_done(&self) {
+        if self.counts.replace(false) {
+            self.busy.set(self.busy.get().saturating_sub(1));
+        }
+    }
+
+    fn are_busy(&self) -> bool {
+        self.waits && self.busy.get() > 0
+    }
+}
+
+/// What a drive does behind its proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Now {
+    /// As it was told; nothing was proven of it otherwise.
+    Stopped,
+    /// Somebody else has set it going.
+    Moves,
+    /// Somebody else has had it in hand: it is in another state.
+    Differs,
+    /// It does not say.
+    Silent,
+}
+
+/// A drive behind its proof.
+struct Behind<'a> {
+    drive: &'a Meant,
+    came: &'a mut Came,
+    /// Nothing where nothing of it was proven.
+    proven: Cell<Option<Proven>>,
+    /// What it did in the last round.
+    now: Now,
+    /// It was to be stopped anew since it had said nothing.
+    was_silent: bool,
+    /// In so many rounds since it left a reply owed.
+    owed: u8,
+    /// It is not asked any more: whenever it is, a reply is owed behind it, for which the line is kept, and nobody seen meanwhile.
+    left_out: bool,
+}
+
+/// Looks at all of a line until each is at rest, and was seen so a moment ago.
+pub(super) async fn look_behind(
+    session: &mut Session<'_>,
+    (registry, act): (&Registry, Relief),
+    others: &Others<'_>,
+    (drives, came): (&[Meant], &mut [Came]),
+    stop: impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
+) {
+    let end = session.now() + LONGEST_WAIT;
+    session.hastens();
+    let mut each = Vec::new();
+    for (drive, came) in drives.iter().zip(came) {
+        let proven = Cell::new(proven(session, registry, came).await);
+        each.push(Behind { drive, came, proven, now: Now::Stopped, was_silent: false, owed: 0, left_out: false });
+    }
+    let (mut calm, mut restless) = (0, 0);
+    while restless < MOST_ROUNDS {
+        let is_early = others.are_busy() && session.now() < end;
+        if !waits_for_what_is_owed(session).await {
+            break;
+        }
+        let unseen = look_around(session, act, &mut each).await;
+        if each.iter().any(|one| one.now != Now::Stopped) {
+            stop_again(session, act, &mut each, &stop).await;
+            (calm, restless) = (0, restless + 1);
+            continue;
+        }
+        if is_early {
+            session.end_at(None);
+            if session.rest(BEAT).await.is_err() {
+                break;
+            }
+            tokio::task::yield_now().await;
+            continue;
+        }
+        calm += 1;
+        let is_owed = session.owes_for().is_some() && !session.is_shared();
+        if !is_owed && (calm >= MOST_ROUNDS || unseen <= usual_round(each.len())) {
+            break;
+        }
+        for one in each.iter_mut().filter(|one| session.is_owed_by(one.drive.address)) {
+            one.owed += 1;
+            one.left_out |= calm + 1 >= MOST_ROUNDS && one.owed > 1;
+        }
+    }
+    let is_restless = each.iter().any(|one| one.now != Now::Stopped);
+    for one in &mut each {
+        match one.now {
+            Now::Stopped if one.left_out => one.ends(late()),
+            Now::Stopped if is_restless => one.ends(unseen()),
+            _ => {}
+        }
+    }
+}
+
+impl Behind<'_> {
+    /// Nobody knows how it ends: with the failure that it has, or with this one; what was proven before tells nothing of the end.
+    fn ends(&mut self, failure: Failure) {
+        let Ok(Outcome { data: Some(Data::Motion(motion)), failure: why, .. }) = self.came else { return };
+        motion.standing = None;
+        if let Some(setpoint) = &mut motion.setpoint {
+            setpoint.reached = None;
+        }
+        *why = Some(verdict::warned(why.take().unwrap_or(failure)));
+    }
+
+    fn has_failed(&self) -> bool {
+        !matches!(self.came, Ok(Outcome { failure: None, .. }))
+    }
+
+    /// Takes note of what came of another stop.
+    fn is_stopped(&mut self, act: Relief, came: Came) {
+        *self.came = came;
+        if let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = self.came
+            && self.now == Now::Moves
+        {
+            motion.notes.push(set_going_again(act));
+        }
+        let again = self.proven.take().and_then(|proven| Proven::of(self.came, proven.target));
+        self.proven.set(again);
+        (self.owed, self.left_out) = (0, false);
+    }
+}
+
+/// A round: who is slow alone, the slowest first, then the others in turns, so that each is seen last as late as all of them allow, for a
+/// position takes several looks. Returns for how long one of those was not seen.
+async fn look_around(session: &mut Session<'_>, act: Relief, each: &mut [Behind<'_>]) -> Span {
+    each.iter_mut().for_each(|one| one.now = Now::Stopped);
+    let due = each.iter_mut().filter(|one| !one.left_out);
+    let (mut slow, prompt): (Vec<_>, Vec<_>) = due.partition(|one| session.slowest_answer(one.drive.address) > SLOW);
+    slow.sort_by_key(|one| Reverse(session.slowest_answer(one.drive.address)));
+    for one in &mut slow {
+        one.now = now_of(session, act, &one.proven).await;
+    }
+    let whom: Vec<u8> = prompt.iter().map(|one| one.drive.address).collect();
+    let look = async |session: &mut Session<'_>, at: usize| match prompt.get(at) {
+        Some(one) => (now_of(session, act, &one.proven).await, session.now()),
+        None => (Now::Stopped, session.now()),
+    };
+    let looked = session.side_by_side(&whom, look).await;
+    let first = looked.iter().map(|(_, seen)| *seen).min();
+    for (one, (now, _)) in prompt.into_iter().zip(looked) {
+        one.now = match now {
+            // Somebody slow says nothing in turns that are short.
+            Now::Silent => now_of(session, act, &one.proven).await,
+            now => now,
+        };
+    }
+    first.map_or(Span::ZERO, |first| session.now().since(first))
+}
+
+/// Stops those anew that were not as they had been told. Who says nothing again, although he was stopped for that, or failed before, is told
+/// so.
+async fn stop_again(
+    session: &mut Session<'_>,
+    act: Relief,
+    each: &mut [Behind<'_>],
+    stop: &impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
+) {
+    let (silent, heard): (Vec<_>, Vec<_>) =
+        each.iter_mut().filter(|one| one.now != Now::Stopped).partition(|one| one.now == Now::Silent);
+    let drives: Vec<&Meant> = heard.iter().map(|one| one.drive).collect();
+    let whom: Vec<u8> = drives.iter().map(|drive| drive.address).collect();
+    let work = async |session: &mut Session<'_>, at: usize| match drives.get(at) {
+        Some(drive) => stop(session, drive).await,
+        None => Ok(Outcome::default()),
+    };
+    let came = session.side_by_side(&whom, work).await;
+    heard.into_iter().zip(came).for_each(|(one, came)| one.is_stopped(act, came));
+    for one in silent {
+        if std::mem::replace(&mut one.was_silent, true) || one.has_failed() {
+            (one.now, one.proven) = (Now::Stopped, Cell::new(None));
+            one.ends(silent_again());
+        } else {
+            session.speaks_of(Some(one.drive.address));
+            let came = stop(session, one.drive).await;
+            one.is_stopped(act, came);
+        }
+    }
+}
+
+/// Nobody has looked at this one since somebody was stopped anew.
+fn unseen() -> Failure {
+    let text = both!(
+        "somebody else sets drives of the group going again; since the last of them was stopped nobody has looked at this one",
+        "jemand anderes setzt Antriebe der Gruppe wieder in Gang; seit dem Halt des letzten hat diesen niemand angesehen"
+    );
+    Failure::new(Class::Forbidden, verdict::STANDSTILL_UNPROVEN, text).hint(both!(
+        "stop that, and say the stop again; or the enable input, the emergency stop, the mains",
+        "das abstellen, und den Halt noch einmal geben; oder Freigabeeingang, Not-Halt, Netz"
+    ))
+}
+
+/// Each look at it left a reply owed.
+fn late() -> Failure {
+    let text = both!(
+        "its answers come late again and again, so nobody has looked at it since the others were seen for the last time",
+        "seine Antworten kommen immer wieder zu spät, daher hat ihn niemand angesehen, seit die anderen zuletzt gesehen wurden"
+    );
+    Failure::new(Class::Silence, "silence.stop", text).hint(go_there())
+}
+
+/// It was stopped anew since it said nothing, and says nothing again.
+fn silent_again() -> Failure {
+    let text = both!(
+        "it stood behind its stop, and does not answer any more",
+        "er stand hinter seinem Halt und antwortet nicht mehr"
+    );
+    Failure::new(Class::Silence, "silence.stop", text).hint(go_there())
+}
+
+fn go_there() -> Text {
+    both!(
+        "look at the shaft; the enable input, the emergency stop, the mains stop it whatever the line does",
+        "nach der Welle sehen; Freigabeeingang, Not-Halt, Netz halten sie an, was immer die Leitung tut"
+    )
+}
+
+/// Behind a look at so many drives, each was seen as lately as this, unless an answer was late.
+fn usual_round(drives: usize) -> Span {
+    const EACH: Span = Span::from_millis(40);
+    Span::from_micros(EACH.as_micros() * drives as u64).longer(Span::from_millis(200))
+}
+
+/// Waits for replies that are still owed, if nobody else has the line: it is kept for so long anyway. Whether there is time to look once more;
+/// who interrupts has none.
+async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
+    if session.is_interrupted() || session.presses() > 0 {
+        return false;
+    }
+    let left = session.owes_for().filter(|_| !session.is_shared()).unwrap_or(Span::ZERO);
+    session.end_at(None);
+    session.rest(left).await.is_ok()
+}
+
+/// A drive of which a stop was proven, or that it has no power any more.
+struct Proven {
+    /// In its word order, so that each look is one question.
+    target: Target,
+    /// It was seen to stand.
+    stands: bool,
+    /// The state in which it was left.
+    state: Option<String>,
+}
+
+impl Proven {
+    fn of(came: &Came, target: Target) -> Option<Self> {
+        let Ok(Outcome { data: Some(Data::Motion(motion)), failure, .. }) = came else { return None };
+        // Whatever went wrong before, and whether or not the shaft was seen to stand: that it has power again can be seen.
+        if failure.is_some() && motion.running != Some(false) {
+            return None;
+        }
+        let state = motion.to.as_ref().map(|state| state.slug.clone());
+        Some(Proven { target, stands: motion.standing == Some(true), state })
+    }
+
+    /// Whether somebody has had it in hand since: it is enabled, its shaft turns, or it is in another state. A quick stop ends by itself.
+    async fn now(&mut self, session: &mut Session<'_>) -> Result<Now, Failure> {
+        if self.stands && turns(session, &mut self.target).await? {
+            return Ok(Now::Moves);
+        }
+        let state = state_now(session, &mut self.target).await?;
+        let known = self.state.as_deref().filter(|known| *known != QUICK_STOP);
+        Ok(match state.as_str() {
+            OPERATION => Now::Moves,
+            state if known.is_some_and(|known| known != state) => Now::Differs,
+            _ => Now::Stopped,
+        })
+    }
+}
+
+/// The same of what came of it, if that is one.
+async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Proven> {
+    let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return None };
+    let mut proven = Proven::of(came, Target::new(motion.address, registry.family(&motion.drive)?).greeted())?;
+    if session.is_interrupted() {
+        return None;
+    }
+    session.speaks_of(Some(motion.address));
+    session.end_at(Some(session.now() + LAST_LOOK));
+    // Without an answer the look is told that, too.
+    let _ = proven.target.route(session).await;
+    Some(proven)
+}
+
+/// What a drive does now of which a stop was proven, if this is one.
+async fn now_of(session: &mut Session<'_>, act: Relief, place: &Cell<Option<Proven>>) -> Now {
+    let Some(mut proven) = place.take() else { return Now::Stopped };
+    session.speaks_of(Some(proven.target.address));
+    session.end_at(Some(session.now() + LAST_LOOK));
+    let now = match act {
+        Relief::Zero => {
+            turns(session, &mut proven.target).await.map(|turns| if turns { Now::Moves } else { Now::Stopped })
+        }
+        _ => proven.now(session).await,
+    };
+    place.set(Some(proven));
+    now.unwrap_or(Now::Silent)
+}
