@@ -304,6 +304,12 @@ impl Giving<'_> {
     async fn work(&self, motor: &mut Motor<'_, '_>, (wanted, aim): (Wanted, Option<Relief>)) -> Result<(), Failure> {
         match aim {
             Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
+            None if zero::is_waited_for(self.args, &wanted, motor) => {
+                let came = carry_out(motor, &wanted, (self.enable, true), self.motion, self.panel).await;
+                // Like any other zero: that the shaft turns on is told, and stops nothing else.
+                let turns = |failure: &Failure| failure.code == "no.not_reached";
+                if came.as_ref().is_err_and(turns) { Ok(()) } else { came }
+            }
             None => carry_out(motor, &wanted, (self.enable, self.args.until.is_some()), self.motion, self.panel).await,
         }
     }

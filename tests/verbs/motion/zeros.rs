@@ -1,8 +1,10 @@
 //! Stop words and zeros that are written as values: what can only take motion away asks nobody, everything else asks (CM-485 manual 9.1.2, 9.1.3,
 //! 9.2).
 
-use super::rig::drive;
+use super::rig::{drive, ran};
 use crate::run::antrieb;
+use antrieb::tick::Span;
+use antrieb::transport::witness;
 
 /// A drive at 20 Hz: who controls it (P.412), where its setpoint comes from (P.434), and its internal setpoint (P.228).
 fn inverter(control: u8, source: u8, internal: i32) -> String {
@@ -83,6 +85,21 @@ fn a_zero_that_the_drive_lifts_is_no_success_whoever_chose_its_source() {
     let document = antrieb("-a 1 --yes sollwert 0 --source line").on(bench).json().exits(1);
     assert_eq!(document.error()["code"], "no.not_standing");
     assert!(document.err.contains("THE SHAFT MAY STILL TURN"), "{}", document.err);
+}
+
+/// A zero that changes where the setpoint comes from is asked about, and waited for like any other.
+#[test]
+fn a_zero_from_another_source_ends_when_the_shaft_stands() {
+    let ramps = "ramps = { up_right = 50, down_right = 5, up_left = 50, down_left = 5 }";
+    let bench = drive("\"410\" = 15, \"412\" = 1, \"434\" = 3, \"228\" = 10, \"484\" = 20, \"418\" = 0", ramps);
+    let run = ran(Span::from_secs(5), "-b 115200 -a 1 --drive acu --yes sollwert 0 --source line", &bench).json();
+    let (mut left, at) = witness::left().unwrap();
+    left.advance(at);
+    assert_eq!((run.exit, left.totals().turning), (0, 0), "{:#} {}", run.value, run.err);
+    assert_eq!(run.data("/setpoint/reached").as_bool(), Some(true));
+    let idle = drive("\"412\" = 1, \"434\" = 3", "");
+    let run = antrieb("-b 115200 -a 1 --drive acu --yes sollwert 0 --source line").on(&idle).json().exits(0);
+    assert!(run.data("/setpoint/reached").is_null(), "{:#}", run.value);
 }
 
 /// The drive does not count the setpoint of the line: its shaft turns on at its own.
