@@ -80,6 +80,11 @@ impl Debts {
         self.note(station, &missing, due, now, HOLD_DOUBTED).remember(&missing, now, false);
     }
 
+    /// A station owes somebody else the reply to a question. He goes on asking, so nobody keeps the line for it.
+    pub(super) fn owes_another(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
+        self.note(station, &missing, due, now, Span::ZERO).remember(&missing, now, false);
+    }
+
     /// A question was answered by garbage, which most likely was the reply.
     pub(super) fn may_owe(&mut self, station: u8, missing: &Question, now: Tick) {
         self.note(station, missing, now, now, HOLD).remember(missing, now, true);

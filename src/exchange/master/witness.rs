@@ -97,7 +97,7 @@ impl Master {
         self.heard.sees_trouble();
         self.others = [Some(at), self.others[0]];
         if station != BROADCAST && !question.is_write() {
-            self.debts.owes(station, question, at + HIS_REPLY, at);
+            self.debts.owes_another(station, question, at + HIS_REPLY, at);
         }
     }
 

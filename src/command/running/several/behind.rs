@@ -112,7 +112,7 @@ pub(super) async fn look_behind(
             continue;
         }
         calm += 1;
-        let is_owed = session.owes_for().is_some() && !session.is_shared();
+        let is_owed = session.owes_for().is_some() && each.iter().any(|one| !one.left_out);
         if !is_owed && (calm >= MOST_ROUNDS || unseen <= usual_round(each.len())) {
             break;
         }
@@ -260,13 +260,13 @@ fn usual_round(drives: usize) -> Span {
     Span::from_micros(EACH.as_micros() * drives as u64).longer(Span::from_millis(200))
 }
 
-/// Waits for replies that are still owed, if nobody else has the line: it is kept for so long anyway. Whether there is time to look once more;
+/// Waits for replies that are still owed: the line is kept for so long anyway. Whether there is time to look once more;
 /// who interrupts has none.
 async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
     if session.is_interrupted() || session.presses() > 0 {
         return false;
     }
-    let left = session.owes_for().filter(|_| !session.is_shared()).unwrap_or(Span::ZERO);
+    let left = session.owes_for().unwrap_or(Span::ZERO);
     session.end_at(None);
     session.rest(left).await.is_ok()
 }
