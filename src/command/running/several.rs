@@ -97,21 +97,33 @@ async fn stop_line<'p, C>(
         let Some(drive) = drives.get(at) else { return Ok(Outcome::default()) };
         stop(session, drive, call, pressed).await
     };
-    let mut came: Vec<Came> = session.side_by_side(addresses, one).await;
+    let again = async |session: &mut Session<'_>, drive: &Meant| stop(session, drive, None, false).await;
+    let mut came = in_turns(&mut session, &drives.iter().collect::<Vec<_>>(), one, &again).await;
+    others.is_done();
+    look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
+    Ok(came)
+}
+
+/// Stops these side by side, and those that were not heard in it alone.
+async fn in_turns<'a>(
+    session: &mut Session<'a>,
+    drives: &[&Meant],
+    one: impl AsyncFn(&mut Session<'a>, usize) -> Came,
+    alone: impl AsyncFn(&mut Session<'a>, &Meant) -> Came,
+) -> Vec<Came> {
+    let whom: Vec<u8> = drives.iter().map(|drive| drive.address).collect();
+    let mut came = session.side_by_side(&whom, one).await;
     for (drive, came) in drives.iter().zip(&mut came) {
         // Somebody slow says nothing in turns that are short.
         if session.is_interrupted() || !is_unheard(came) {
             continue;
         }
         session.speaks_of(Some(drive.address));
-        if is_there(&mut session, drive.address).await {
-            *came = stop(&mut session, drive, None, false).await;
+        if is_there(session, drive.address).await {
+            *came = alone(session, drive).await;
         }
     }
-    others.is_done();
-    let again = async |session: &mut Session<'_>, drive: &Meant| stop(session, drive, None, false).await;
-    look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
-    Ok(came)
+    came
 }
 
 /// Refuses a line of another kind among several: nothing is sent on it, and the others are stopped.

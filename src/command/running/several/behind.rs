@@ -2,6 +2,7 @@
 //! the others are, and while that one is stopped; so may all behind a look that took long.
 
 use super::super::verdict;
+use super::in_turns;
 use crate::drive::motion::{LAST_LOOK, Meant, OPERATION, QUICK_STOP, set_going_again, state_now, turns};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
@@ -77,12 +78,12 @@ struct Behind<'a> {
 }
 
 /// Looks at all of a line until each is at rest, and was seen so a moment ago.
-pub(super) async fn look_behind(
-    session: &mut Session<'_>,
+pub(super) async fn look_behind<'a>(
+    session: &mut Session<'a>,
     (registry, act): (&Registry, Relief),
     others: &Others<'_>,
     (drives, came): (&[Meant], &mut [Came]),
-    stop: impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
+    stop: impl AsyncFn(&mut Session<'a>, &Meant) -> Came,
 ) {
     let end = session.now() + LONGEST_WAIT;
     session.hastens();
@@ -189,32 +190,26 @@ async fn look_around(session: &mut Session<'_>, act: Relief, each: &mut [Behind<
 
 /// Stops those anew that were not as they had been told. Who says nothing again, although he was stopped for that, or failed before, is told
 /// so.
-async fn stop_again(
-    session: &mut Session<'_>,
+async fn stop_again<'a>(
+    session: &mut Session<'a>,
     act: Relief,
     each: &mut [Behind<'_>],
-    stop: &impl AsyncFn(&mut Session<'_>, &Meant) -> Came,
+    stop: &impl AsyncFn(&mut Session<'a>, &Meant) -> Came,
 ) {
-    let (silent, heard): (Vec<_>, Vec<_>) =
-        each.iter_mut().filter(|one| one.now != Now::Stopped).partition(|one| one.now == Now::Silent);
-    let drives: Vec<&Meant> = heard.iter().map(|one| one.drive).collect();
-    let whom: Vec<u8> = drives.iter().map(|drive| drive.address).collect();
-    let work = async |session: &mut Session<'_>, at: usize| match drives.get(at) {
-        Some(drive) => stop(session, drive).await,
-        None => Ok(Outcome::default()),
-    };
-    let came = session.side_by_side(&whom, work).await;
-    heard.into_iter().zip(came).for_each(|(one, came)| one.is_stopped(act, came));
-    for one in silent {
+    for one in each.iter_mut().filter(|one| one.now == Now::Silent) {
         if std::mem::replace(&mut one.was_silent, true) || one.has_failed() {
             (one.now, one.proven) = (Now::Stopped, Cell::new(None));
             one.ends(silent_again());
-        } else {
-            session.speaks_of(Some(one.drive.address));
-            let came = stop(session, one.drive).await;
-            one.is_stopped(act, came);
         }
     }
+    let whom: Vec<_> = each.iter_mut().filter(|one| one.now != Now::Stopped).collect();
+    let drives: Vec<&Meant> = whom.iter().map(|one| one.drive).collect();
+    let one = async |session: &mut Session<'a>, at: usize| match drives.get(at) {
+        Some(drive) => stop(session, drive).await,
+        None => Ok(Outcome::default()),
+    };
+    let came = in_turns(session, &drives, one, stop).await;
+    whom.into_iter().zip(came).for_each(|(one, came)| one.is_stopped(act, came));
 }
 
 /// Nobody has looked at this one since somebody was stopped anew.
