@@ -227,8 +227,8 @@ fn unseen() -> Failure {
 /// Each look at it left a reply owed.
 fn late() -> Failure {
     let text = both!(
-        "its answers come late again and again, so nobody has looked at it since the others were seen for the last time",
-        "seine Antworten kommen immer wieder zu spät, daher hat ihn niemand angesehen, seit die anderen zuletzt gesehen wurden"
+        "its answers come late again and again, so it was not among those that were looked at last",
+        "seine Antworten kommen immer wieder zu spät, daher gehörte er nicht zu denen, die zuletzt angesehen wurden"
     );
     Failure::new(Class::Silence, "silence.stop", text).hint(go_there())
 }
