@@ -12,6 +12,9 @@ pub struct Motion {
     pub address: u8,
     /// Family.
     pub drive: String,
+    /// The same, but where nobody knows it: one whose states are asked for in the same words.
+    #[serde(skip)]
+    pub asked_as: String,
     /// What was asked for: `enable`, `quick-stop`, `sollwert` …
     pub action: String,
     /// What is set: `frequency`, `velocity`, `homing` … by the word of `sollwert --mode`; null if nothing is.

@@ -72,6 +72,7 @@ pub(super) fn report(
     let data = Motion {
         address,
         drive: family.drive.clone(),
+        asked_as: family.drive.clone(),
         action: job.word.to_owned(),
         mode: is_run.then(|| "frequency".to_owned()),
         from: told.from.and_then(state),

@@ -154,6 +154,7 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
     let data = Motion {
         address: target.address,
         drive: family.drive.clone(),
+        asked_as: family.drive.clone(),
         action: plan.action.to_owned(),
         mode: done.mode,
         from: seen.before.as_ref().map(state),

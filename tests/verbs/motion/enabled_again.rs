@@ -200,6 +200,34 @@ fn one_whose_standstill_nothing_showed_is_looked_at_behind_the_others_too() {
     assert!(told > 5, "{told}");
 }
 
+/// Nobody knows what one of them is: it does not answer while it is asked that. It is looked at behind the others like any other drive.
+#[test]
+fn one_that_nobody_knows_is_looked_at_behind_the_others_too() {
+    let one = |address: u8, rest: &str| {
+        drive("\"412\" = 1, \"418\" = 0, \"434\" = 2, \"484\" = 10", rest)
+            .replace("\"acu\"", &format!("\"acu\"\naddress = {address}"))
+            .replace("\"1ms\"", "\"5ms\"")
+    };
+    let dozes = "[[drive.event]]\nafter_telegrams = 16\nsilent = \"2s\"\n";
+    let line = |event: &str| {
+        let bench = one(1, &format!("{dozes}{event}")) + &one(2, "");
+        let run = antrieb("-v -b 115200 -a 1,2 statemachine disable-voltage").on(&bench).json();
+        let (mut bench, end) = witness::left().unwrap();
+        bench.advance(end);
+        (run, bench.totals().energised, end.as_micros() / 1_000)
+    };
+    let (calm, _, end) = line("");
+    assert_eq!((calm.data("/drives/0/motion/drive").as_str(), calm.exit), (Some("unknown"), 0), "{:#}", calm.value);
+    let mut told = 0;
+    for again in (end - 1_000..end - 100).step_by(100) {
+        let event = |(at, word)| format!("[[drive.event]]\nat = \"{at}ms\"\nset = {{ \"410\" = {word} }}\n");
+        let (run, energised, end) = line(&[(again, 6), (again + 30, 7), (again + 60, 15)].map(event).concat());
+        assert_eq!(energised, 0, "{again} of {end}: {} {:#} {}", run.exit, run.value, run.err);
+        told += usize::from(run.data("/drives/0/motion/notes").to_string().contains(AGAIN));
+    }
+    assert!(told > 1, "{told}");
+}
+
 /// One of the last answers takes long, but comes in its time: nothing is owed, and what the drive did meanwhile is seen all the same.
 #[test]
 fn a_slow_answer_at_the_end_of_a_stop_hides_no_enabling() {

@@ -305,7 +305,7 @@ impl Proven {
 /// The same of what came of it, if that is one.
 async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Proven> {
     let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return None };
-    let mut proven = Proven::of(came, Target::new(motion.address, registry.family(&motion.drive)?).greeted())?;
+    let mut proven = Proven::of(came, Target::new(motion.address, registry.family(&motion.asked_as)?).greeted())?;
     if session.is_interrupted() {
         return None;
     }
