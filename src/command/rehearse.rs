@@ -236,8 +236,8 @@ impl<'r> Rehearsal<'r> {
         ));
     }
 
-    /// The end of a held run: the stop, then what is given back.
-    pub(super) fn end(&mut self, motion: &MotionArgs, zeroed: Option<&Param>) {
+    /// The end: of a held run the stop; then what is given back, or stays. `stops`: nothing runs on behind it, held or not.
+    pub(super) fn end(&mut self, motion: &MotionArgs, zeroed: Option<&Param>, stops: bool) {
         let family = self.family;
         let slug = match motion.on_exit {
             StopArg::Ramp => "ramp",
@@ -258,16 +258,20 @@ impl<'r> Rehearsal<'r> {
             }
             row.iter().flat_map(|row| &row.commands).for_each(|slug| self.command(slug));
         }
-        if family.motion.control.is_some() && motion.take_control {
+        let gives_back = stops || (motion.hold && motion.on_exit != StopArg::Keep);
+        if gives_back && family.motion.control.is_some() && motion.take_control {
             // So that no contact closes when control goes back.
             self.control(0);
         }
         let changed = std::mem::take(&mut self.changed).join(", ");
         if !changed.is_empty() {
-            self.note(both!(
-                "at the end what was read before is written back: {changed}",
-                "am Ende wird zurückgeschrieben, was zuvor gelesen wurde: {changed}"
-            ));
+            self.note(match gives_back {
+                true => both!(
+                    "at the end what was read before is written back: {changed}",
+                    "am Ende wird zurückgeschrieben, was zuvor gelesen wurde: {changed}"
+                ),
+                false => both!("what is changed stays so: {changed}", "was geändert wird, bleibt so: {changed}"),
+            });
         }
     }
 

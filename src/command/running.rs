@@ -4,8 +4,8 @@ use super::again::one_of;
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    Ended, FirstWord, Keeps, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look, shout,
-    shout_zero, watchdog_raw,
+    Ended, FirstWord, Keeps, LAST_LOOK, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look,
+    shout, shout_zero, turns, watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
@@ -289,9 +289,15 @@ async fn on_drive<'p, C>(
     }
     let permit = match plan.relief {
         Some(act) => act.permit(),
-        None => agreed(session, *ask, &mut target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
-            .await
-            .map_err(|failure| if plan.said { but_said(unstopped(failure)) } else { failure })?,
+        None => {
+            let situation = (settings.node, before.as_ref().unwrap_or(&blind));
+            match (agreed(session, *ask, &mut target, &plan, situation).await, goes_first) {
+                (Err(failure), Some(act)) if plan.said => {
+                    return Err(but_said(failure, act, rests(session, &mut target).await));
+                }
+                (agreed, _) => agreed?,
+            }
+        }
     };
     if plan.args.hold {
         session.pace();
@@ -336,6 +342,12 @@ async fn on_drive<'p, C>(
         return Ok(outcome);
     }
     Ok(report(&plan, &target, seen, done, ended))
+}
+
+/// Whether the shaft of a drive that was told to stop is seen to stand.
+async fn rests(session: &mut Session<'_>, target: &mut Target) -> bool {
+    session.end_at(Some(session.now() + LAST_LOOK));
+    matches!(turns(session, target).await, Ok(false))
 }
 
 /// What the drive says before anything else is done. A command that relieves looks for itself, and goes out even where little

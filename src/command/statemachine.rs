@@ -193,7 +193,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return several::stop(context, &addresses, act, (slug, command.text(), motion)).await;
     }
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, true, aim.map(|_| slug), |told| match slug {
+        let gives_back = aim.is_some() || slug == "reset";
+        return dry_run(context, &family, motion, (true, gives_back), aim.map(|_| slug), |told| match slug {
             "enable" => told.walk("operation-enabled"),
             "switch-on" => told.walk("switched-on"),
             slug => told.command(slug),
@@ -304,7 +305,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         });
     };
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, true, None, |told| told.walk(state));
+        return dry_run(context, &family, motion, (true, false), None, |told| told.walk(state));
     }
     let announce = both!("walk to '{state}'", "gehen nach '{state}'", state = row.text());
     let runs = state == "operation-enabled";
@@ -322,17 +323,18 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     .await
 }
 
-/// What a run would send: what it reads first, what the options set, the way, and its end.
+/// What a run would send: what it reads first, what the options set, the way, and its end. Whether it needs the control word, and gives back
+/// what it changed although it is not held.
 fn dry_run(
     context: &Context<'_>,
     family: &Family,
     motion: &MotionArgs,
-    needs_control: bool,
+    needs: (bool, bool),
     stops: Option<&str>,
     way: impl FnOnce(&mut Rehearsal<'_>),
 ) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
-    Ok(rehearse(context.settings, family, address, motion, needs_control, stops, way)?.told())
+    Ok(rehearse(context.settings, family, address, motion, needs, stops, way)?.told())
 }
 
 fn rehearse<'r>(
@@ -340,7 +342,7 @@ fn rehearse<'r>(
     family: &'r Family,
     address: u8,
     motion: &MotionArgs,
-    needs_control: bool,
+    (needs_control, gives_back): (bool, bool),
     stops: Option<&str>,
     way: impl FnOnce(&mut Rehearsal<'_>),
 ) -> Result<Rehearsal<'r>, Failure> {
@@ -350,7 +352,7 @@ fn rehearse<'r>(
     };
     told.bounds(motion, needs_control)?;
     way(&mut told);
-    told.end(motion, None);
+    told.end(motion, None, gives_back);
     Ok(told)
 }
 

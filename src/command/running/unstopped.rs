@@ -101,16 +101,26 @@ fn unproven(failure: Failure, act: Relief, said: bool) -> Failure {
     warned(failure, &said, hint)
 }
 
-/// Nobody agreed to the rest.
-pub(super) fn but_said(mut failure: Failure) -> Failure {
-    if !["forbidden.not_confirmed", "forbidden.no_terminal"].contains(&failure.code.as_str()) {
-        return failure;
+/// Nobody agreed to the rest; whether the shaft was seen to stand since.
+pub(super) fn but_said(failure: Failure, act: Relief, rests: bool) -> Failure {
+    let why = match failure.code.as_str() {
+        "forbidden.not_confirmed" | "forbidden.no_terminal" => {
+            both!("nobody agreed to the rest", "dem Übrigen stimmte niemand zu")
+        }
+        "interrupted.question" => {
+            both!("interrupted at the question about the rest", "bei der Frage nach dem Übrigen abgebrochen")
+        }
+        _ => return unstopped(failure, act, true),
+    };
+    if !rests {
+        return unproven(Failure { message: why, ..failure }, act, true);
     }
-    failure.message = both!(
-        "the stop was sent, and is not proven; nobody agreed to the rest",
-        "der Halt wurde gesendet und ist nicht belegt; dem Übrigen stimmte niemand zu"
+    let message = both!(
+        "the stop was sent, and is not proven; {why}",
+        "der Halt wurde gesendet und ist nicht belegt; {why}",
+        why
     );
-    failure
+    Failure { message, ..failure }
 }
 
 #[cfg(test)]

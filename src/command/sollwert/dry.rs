@@ -48,7 +48,7 @@ pub(super) fn one<'r>(
     let enable = args.enable || args.jog.is_some();
     let mut motion = args.motion.clone();
     motion.hold |= args.jog.is_some();
-    let mut told = match zero::is_meant(args, wanted) {
+    let mut told = match zero::goes_first(args, wanted) {
         true => Rehearsal::zeroing(settings, family, address, &wanted.param, wanted.mode.source.is_some()),
         false => Rehearsal::new(settings, family, address),
     };
@@ -80,6 +80,6 @@ pub(super) fn one<'r>(
         told.control(start.word);
         told.command("enable");
     }
-    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero_stops()));
+    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero_stops()), zero::is_aim(args, wanted));
     Ok(told)
 }

@@ -5,9 +5,10 @@ use crate::args::Settings;
 use crate::command::verb::Verb;
 use crate::command::{Context, Reader, Row, each_drive, finish, offline_family, plan, read_question, target};
 use crate::drive::Session;
+use crate::drive::motion::role_raw;
 use crate::failure::Failure;
 use crate::outcome::{Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::{DataSets, Family, Registry};
+use crate::profile::{DataSets, Family, Registry, Sets, Store};
 
 /// Shows every drive that was named.
 pub(super) async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
@@ -46,26 +47,43 @@ async fn show(
 ) -> Result<Row<SetpointReport>, Failure> {
     let mut target = target(session, settings, registry, address, false).await?;
     let family = target.family.clone();
+    let works_in = match family.link.route.has_data_sets() {
+        true => role_raw(session, &mut target, "active-set").await.ok().flatten(),
+        false => None,
+    };
     let mut reader = Reader::new(session, &mut target);
     reader.lenient = true;
     let report = SetpointReport {
         address,
         drive: family.drive.clone(),
-        setpoints: values(&mut reader, &family, &family.motion.show.setpoints).await?,
-        actual: values(&mut reader, &family, &family.motion.show.actual).await?,
-        sources: values(&mut reader, &family, &family.motion.show.sources).await?,
+        setpoints: values(&mut reader, &family, &family.motion.show.setpoints, None).await?,
+        actual: values(&mut reader, &family, &family.motion.show.actual, None).await?,
+        sources: values(&mut reader, &family, &family.motion.show.sources, works_in).await?,
         error: None,
     };
     let (failures, good) = reader.into_failures();
     Ok((report, failures, good))
 }
 
-async fn values(reader: &mut Reader<'_, '_>, family: &Family, ids: &[u32]) -> Result<Vec<Value>, Failure> {
+/// What the drive works with, where its data sets are told: RAM of the one in use, or what is the same in all of them.
+async fn values(
+    reader: &mut Reader<'_, '_>,
+    family: &Family,
+    ids: &[u32],
+    works_in: Option<i64>,
+) -> Result<Vec<Value>, Failure> {
     let params: Vec<_> = ids.iter().filter_map(|&id| family.param(id).cloned()).collect();
-    reader.fetch(&params).await?;
+    if works_in.is_none() {
+        reader.fetch(&params).await?;
+    }
     let mut values = Vec::new();
     for param in &params {
-        values.extend(reader.rows(param, DataSets::Unnamed).await?.into_iter().next());
+        let active = works_in.filter(|_| param.sets == Some(Sets::Four)).and_then(|set| u8::try_from(set).ok());
+        let sets = match works_in {
+            Some(_) => DataSets::One(active.unwrap_or(0), Store::Ram),
+            None => DataSets::Unnamed,
+        };
+        values.extend(reader.rows(param, sets).await?.into_iter().next());
     }
     Ok(values)
 }

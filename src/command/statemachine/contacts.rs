@@ -21,7 +21,7 @@ pub(super) async fn set(
     let word = contact_word(&family, contacts)?;
     knows_the_stop(motion)?;
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, false, None, |told| {
+        return dry_run(context, &family, motion, (false, false), None, |told| {
             let control = family.motion.control.filter(|_| motion.take_control);
             if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
                 told.change(param, control.contacts);

@@ -32,7 +32,10 @@ pub(super) async fn stop(
     for line in running::lines(context.settings) {
         let family = offline_family(line, context.registry)?;
         for &address in line.addresses.named() {
-            told.push(rehearse(line, &family, address, motion, true, Some(slug), |told| told.command(slug))?.planned());
+            told.push(
+                rehearse(line, &family, address, motion, (true, true), Some(slug), |told| told.command(slug))?
+                    .planned(),
+            );
         }
     }
     Ok(Rehearsal::of_all(context.settings, told))

@@ -354,10 +354,33 @@ fn a_dry_run_shows_every_telegram_that_the_run_writes() {
     }
 }
 
+/// Without --hold nothing stops the run, and nothing goes back; so it is with --on-exit keep.
+#[test]
+fn a_dry_run_stops_and_gives_back_nothing_that_the_run_leaves() {
+    let act = "[[drive]]\nmodel = \"act\"\naddress = 1\nset = { \"412\" = 44 }\n";
+    for verb in [
+        "statemachine enable --take-control",
+        "statemachine shutdown --take-control",
+        "statemachine goto switched-on --take-control",
+        "sollwert 25Hz --enable --take-control",
+        "sollwert 25Hz --enable --take-control --hold --duration 300ms --on-exit keep",
+        "sollwert 0 --source line",
+    ] {
+        let line = format!("-a 1 --drive act --yes {verb}");
+        let planned = antrieb(&line).on(act).and("--dry-run").json().exits(0);
+        let rows = planned.data("/telegrams").as_array().unwrap().clone();
+        let planned_writes = writes(rows.iter().map(|row| row["hex"].as_str().unwrap().to_owned()));
+        let sent = writes(antrieb(&format!("-v {line}")).on(act).run().sent());
+        assert_eq!((planned_writes.first(), planned_writes.last()), (sent.first(), sent.last()), "{verb}: {sent:#?}");
+        let notes = planned.data("/notes").to_string();
+        assert!(notes.contains("what is changed stays so: ") && !notes.contains("written back"), "{verb}: {notes}");
+    }
+}
+
 #[test]
 fn a_dry_run_names_what_depends_on_answers() {
     let german = antrieb("-a 1 --dry-run --lang de statemachine enable --take-control").exits(0).out;
-    for part in ["P.412", "P.249 sagt welcher", "Code 43", "'Einschaltsperre'", "zurückgeschrieben"] {
+    for part in ["P.412", "P.249 sagt welcher", "Code 43", "'Einschaltsperre'", "bleibt so: P.412"] {
         assert!(german.contains(part), "{part}: {german}");
     }
     antrieb("-a 1 --dry-run statemachine goto switched-on").json().exits(0);
