@@ -4,7 +4,7 @@
 use super::super::verdict;
 use super::in_turns;
 use crate::drive::motion::{LAST_LOOK, Meant, OPERATION, QUICK_STOP, set_going_again, state_now, turns};
-use crate::drive::{Session, Target};
+use crate::drive::{AccessError, Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, Outcome};
@@ -87,34 +87,41 @@ pub(super) async fn look_behind<'a>(
 ) {
     let end = session.now() + LONGEST_WAIT;
     session.hastens();
+    // Whoever has interrupted meant the stops that are through by now: what he waits for is that all stand.
+    session.note_interrupts();
     let mut each = Vec::new();
     for (drive, came) in drives.iter().zip(came) {
         let proven = Cell::new(proven(session, registry, came).await);
         each.push(Behind { drive, came, proven, now: Now::Stopped, was_silent: false, owed: 0, left_out: false });
     }
-    let (mut calm, mut restless) = (0, 0);
-    while restless < MOST_ROUNDS {
+    let (mut calm, mut restless, mut cut_off) = (0, 0, 0);
+    while restless < MOST_ROUNDS && cut_off < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session).await {
+            cut_off = MOST_ROUNDS;
             break;
         }
         let unseen = look_around(session, act, &mut each).await;
+        if session.is_interrupted() {
+            // Nobody knows whom that has cut off: once more, from the beginning.
+            session.note_interrupts();
+            cut_off += 1;
+            continue;
+        }
         if each.iter().any(|one| one.now != Now::Stopped) {
             stop_again(session, act, &mut each, &stop).await;
-            (calm, restless) = (0, restless + 1);
+            session.note_interrupts();
+            (calm, restless) = (0, restless + u8::from(!is_early));
             continue;
         }
         if is_early {
-            session.end_at(None);
-            if session.rest(BEAT).await.is_err() {
-                break;
-            }
-            tokio::task::yield_now().await;
+            beat(session).await;
             continue;
         }
         calm += 1;
         let is_owed = session.owes_for().is_some() && each.iter().any(|one| !one.left_out);
-        if !is_owed && (calm >= MOST_ROUNDS || unseen <= usual_round(each.len())) {
+        let is_fresh = calm >= MOST_ROUNDS || unseen <= usual_round(each.len());
+        if session.presses() > 0 || !is_owed && is_fresh {
             break;
         }
         for one in each.iter_mut().filter(|one| session.is_owed_by(one.drive.address)) {
@@ -125,6 +132,7 @@ pub(super) async fn look_behind<'a>(
     let is_restless = each.iter().any(|one| one.now != Now::Stopped);
     for one in &mut each {
         match one.now {
+            _ if cut_off >= MOST_ROUNDS => one.ends(broken_off()),
             Now::Stopped if one.left_out => one.ends(late()),
             Now::Stopped if is_restless => one.ends(unseen()),
             _ => {}
@@ -224,6 +232,15 @@ fn unseen() -> Failure {
     ))
 }
 
+/// The line was lost in the last looks, or somebody has interrupted each of them.
+fn broken_off() -> Failure {
+    let text = both!(
+        "the last look at it was broken off, so nobody knows whether it was set going again",
+        "der letzte Blick auf ihn wurde abgebrochen, daher weiß niemand, ob er wieder in Gang gesetzt wurde"
+    );
+    Failure::new(Class::Interrupted, "interrupted", text).hint(go_there())
+}
+
 /// Each look at it left a reply owed.
 fn late() -> Failure {
     let text = both!(
@@ -255,15 +272,25 @@ fn usual_round(drives: usize) -> Span {
     Span::from_micros(EACH.as_micros() * drives as u64).longer(Span::from_millis(200))
 }
 
-/// Waits for replies that are still owed: the line is kept for so long anyway. Whether there is time to look once more;
-/// who interrupts has none.
+/// Waits for replies that are still owed: the line is kept for so long anyway. Who has interrupted is in a hurry. Whether the line is still there.
 async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
-    if session.is_interrupted() || session.presses() > 0 {
-        return false;
-    }
-    let left = session.owes_for().unwrap_or(Span::ZERO);
     session.end_at(None);
-    session.rest(left).await.is_ok()
+    let left = session.owes_for().filter(|_| session.presses() == 0).unwrap_or(Span::ZERO);
+    match session.rest(left).await {
+        Err(AccessError::Interrupted) => {
+            session.note_interrupts();
+            true
+        }
+        rested => rested.is_ok(),
+    }
+}
+
+/// Leaves the others some time.
+async fn beat(session: &mut Session<'_>) {
+    session.end_at(None);
+    // Without a line the next look ends it.
+    let _ = session.rest(BEAT).await;
+    tokio::task::yield_now().await;
 }
 
 /// A drive of which a stop was proven, or that it has no power any more.
@@ -306,9 +333,6 @@ impl Proven {
 async fn proven(session: &mut Session<'_>, registry: &Registry, came: &Came) -> Option<Proven> {
     let Ok(Outcome { data: Some(Data::Motion(motion)), .. }) = came else { return None };
     let mut proven = Proven::of(came, Target::new(motion.address, registry.family(&motion.asked_as)?).greeted())?;
-    if session.is_interrupted() {
-        return None;
-    }
     session.speaks_of(Some(motion.address));
     session.end_at(Some(session.now() + LAST_LOOK));
     // Without an answer the look is told that, too.
