@@ -112,7 +112,7 @@ impl Member {
     }
 
     /// It runs, in its turn on the bench, before anything else happens.
-    fn table(&self) -> String {
+    pub(super) fn table(&self) -> String {
         let Member { address, model, manner, delay, ramp } = *self;
         let at = format!("[[drive.event]]\nat = \"{}s\"\n", BEGIN.as_millis() / 1_000 - 1);
         let word = if model == "lxm05" { 6_914 } else { 410 };

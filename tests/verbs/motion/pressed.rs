@@ -2,8 +2,11 @@
 //! the end comes soon.
 
 use super::by_chance::{BEGIN, Manner, Member, Trial};
+use antrieb::failure::Class;
 use antrieb::profile::Registry;
+use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
+use antrieb::transport::witness;
 
 fn member(address: u8, model: &'static str, manner: Manner, delay: u64) -> Member {
     Member { address, model, manner, delay, ramp: 4_000 }
@@ -104,6 +107,39 @@ fn three_presses_end_a_held_run_on_a_dead_line_whatever_its_time_out() {
             assert!(took < 16_000.0, "{took} {told}");
             let failure = seen.failure.unwrap();
             assert!(failure.told().en.starts_with("THE SHAFT MAY STILL TURN"), "{failure:?}");
+        }
+    }
+}
+
+/// One stands early, somebody enables it again, and Ctrl-C comes while the other one slows: it is seen behind that, and stopped.
+#[test]
+fn whoever_stood_before_the_press_is_looked_at_behind_it() {
+    let registry = Registry::open(&[]).unwrap();
+    for verb in ["statemachine quick-stop", "statemachine disable"] {
+        let [mut early, late] = [member(1, "acu", Manner::Good, 5), member(2, "acu", Manner::Good, 5)];
+        early.ramp = 20;
+        let run = |event: &str, presses: &[usize]| {
+            let bench = early.table() + event + &late.table();
+            let mut left = Bench::from_toml("bench", &bench, &registry).unwrap();
+            left.advance(Tick::ZERO + BEGIN);
+            witness::stands(left, Tick::ZERO + BEGIN);
+            Trial::on_bench(&format!("-a 1,2 {verb}"), &bench, &registry, (presses, None))
+        };
+        let timed = |line: &String| line.split_once(['>', '<', '~'])?.0.trim().parse::<f64>().ok();
+        let telegrams: Vec<f64> = run("", &[]).log.iter().filter_map(timed).collect();
+        for (enabled, pressed) in [(1_900, 100.0), (2_500, 300.0)] {
+            let at = BEGIN.as_millis() + enabled;
+            let set =
+                |(later, word)| format!("[[drive.event]]\nat = \"{}ms\"\nset = {{ \"410\" = {word} }}\n", at + later);
+            let press = telegrams.iter().filter(|ms| **ms < at as f64 + pressed).count();
+            let mut seen = run(&[(0, 6), (20, 7), (40, 15)].map(set).concat(), &[press]);
+            seen.bench.advance(seen.at);
+            let told = format!("{verb} {enabled} {press}: {:?}\n{}", seen.failure, seen.log.join("\n"));
+            assert!(press < telegrams.len() && pressed_at(&seen.log, 0).is_some(), "{told}");
+            assert_eq!((seen.bench.totals().turning, seen.bench.totals().energised), (0, 0), "{told}");
+            let notes = format!("{:?}", seen.drives[0].motion.as_ref().map(|motion| &motion.notes));
+            assert!(notes.contains("it was enabled again behind its stop"), "{notes} {told}");
+            assert_eq!(seen.failure.map(|failure| failure.class), Some(Class::Interrupted), "{told}");
         }
     }
 }

@@ -102,6 +102,20 @@ fn a_zero_from_another_source_ends_when_the_shaft_stands() {
     assert!(run.data("/setpoint/reached").is_null(), "{:#}", run.value);
 }
 
+/// Nobody agrees to another source: the zero went out before, and whether the shaft obeys it is looked at.
+#[test]
+fn a_zero_to_whose_rest_nobody_agreed_is_told_with_the_capitals_where_the_shaft_turns() {
+    for (source, turns) in [(1, true), (3, false)] {
+        let set = format!("\"410\" = 15, \"412\" = 1, \"434\" = {source}, \"228\" = 15, \"484\" = 20, \"418\" = 0");
+        let bench = drive(&if turns { set } else { set.replace("15, \"412", "0, \"412") }, "");
+        let run =
+            ran(Span::from_secs(5), "-b 115200 -a 1 --drive acu sollwert 0 --source line", &bench).json().exits(8);
+        assert_eq!(run.err.contains("THE SHAFT MAY STILL TURN"), turns, "{source}: {}", run.err);
+        assert_eq!(run.err.contains("statemachine quick-stop` stops it"), turns, "{source}: {}", run.err);
+        assert!(run.err.contains("nobody agreed to the rest"), "{source}: {}", run.err);
+    }
+}
+
 /// The drive does not count the setpoint of the line: its shaft turns on at its own.
 #[test]
 fn a_zero_that_does_not_count_is_told_with_the_capitals_where_the_drive_has_power() {
