@@ -84,6 +84,10 @@ fn not_one(text: &str, names: &[&str]) -> Failure {
         ),
     );
     match nearest(names, text).as_slice() {
+        [] if names.is_empty() && text.starts_with(char::is_alphabetic) => failure.hint(both!(
+            "names of drives come from an antrieb.toml, and none is known here",
+            "Namen von Antrieben kommen aus einer antrieb.toml, und hier ist keiner bekannt"
+        )),
         [] => failure,
         near => {
             failure.hint(both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'", near = near.join("', '")))

@@ -22,7 +22,7 @@ use clap::{Args as ClapArgs, Subcommand};
 #[derive(Clone, Debug, ClapArgs)]
 #[command(args_conflicts_with_subcommands = true)]
 pub struct Args {
-    /// Number, or words of a slug or name
+    /// Number, range such as 480-483, or words of a slug or name
     #[arg(value_name = "SEARCH")]
     pub search: Vec<String>,
     #[command(subcommand)]
@@ -69,14 +69,16 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     }
 }
 
-/// What the words mean: one number, or every parameter that has them.
+/// What the words mean: one number, a range of them, or every parameter that has them.
 fn hits<'f>(family: &'f Family, words: &[String]) -> Vec<&'f Param> {
     let query = words.join(" ");
-    let number: Option<u32> = query.trim().parse().ok();
-    match number.and_then(|id| family.param(id)) {
-        Some(exact) => vec![exact],
-        None if query.trim().is_empty() => family.params.values().collect(),
-        None => family.search(&query),
+    let number = |text: &str| text.trim().parse::<u32>().ok();
+    let range = query.split_once('-').and_then(|(first, last)| Some(number(first)?..=number(last)?));
+    match (number(&query).and_then(|id| family.param(id)), range) {
+        (Some(exact), _) => vec![exact],
+        (None, Some(range)) => family.params.values().filter(|param| range.contains(&param.id)).collect(),
+        (None, None) if query.trim().is_empty() => family.params.values().collect(),
+        (None, None) => family.search(&query),
     }
 }
 

@@ -129,13 +129,20 @@ pub(super) async fn look_behind<'a>(
             one.left_out |= calm + 1 >= MOST_ROUNDS && one.owed > 1;
         }
     }
-    let is_restless = each.iter().any(|one| one.now != Now::Stopped);
+    let stopped_last = each.iter().filter(|one| one.now != Now::Stopped).count();
     for one in &mut each {
-        match one.now {
-            _ if cut_off >= MOST_ROUNDS => one.ends(broken_off()),
-            Now::Stopped if one.left_out => one.ends(late()),
-            Now::Stopped if is_restless => one.ends(unseen()),
-            _ => {}
+        // Of those that were stopped together the first to stand was seen as long ago as the last one took.
+        let was_seen = match stopped_last {
+            0 => true,
+            1 => one.now != Now::Stopped,
+            _ => false,
+        };
+        if cut_off >= MOST_ROUNDS {
+            one.ends(broken_off());
+        } else if !was_seen {
+            one.ends(unseen());
+        } else if one.left_out {
+            one.ends(late());
         }
     }
 }
