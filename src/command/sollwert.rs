@@ -298,13 +298,18 @@ impl Giving<'_> {
         plan.details.extend(wanted.told_keys(&target.family));
         plan.keys = wanted.shown_keys();
         plan.setpoint = Some(wanted.param.clone());
-        Ok((wanted, plan.aim))
+        let aim = plan.aim;
+        if zero::is_waited_for(args, &wanted, before) {
+            // Its work is a run, since it changes the source, but it is judged as any other zero.
+            plan.aim = Some(Relief::Zero);
+        }
+        Ok((wanted, aim))
     }
 
     async fn work(&self, motor: &mut Motor<'_, '_>, (wanted, aim): (Wanted, Option<Relief>)) -> Result<(), Failure> {
         match aim {
             Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
-            None if zero::is_waited_for(self.args, &wanted, motor) => {
+            None if zero::changes_source(self.args, &wanted) && motor.is_enabled() => {
                 let came = carry_out(motor, &wanted, (self.enable, true), self.motion, self.panel).await;
                 // Like any other zero: that the shaft turns on is told, and stops nothing else.
                 let turns = |failure: &Failure| failure.code == "no.not_reached";

@@ -71,7 +71,7 @@ pub(super) struct Heard {
     delays: BTreeMap<u8, Span>,
     /// How often in a row a reply of a station came behind its time, and how much later at most.
     late: BTreeMap<u8, (u8, Span)>,
-    /// The longest that a reply of a station ever came behind its time.
+    /// The longest that a reply of a station ever came behind its time, or was waited for in vain.
     latest: BTreeMap<u8, Span>,
     /// The copy of the last answer is over then.
     copy_due: Option<(u8, Tick)>,
@@ -225,8 +225,13 @@ impl Heard {
     pub(super) fn sees_late(&mut self, station: u8, by: Span) {
         let late = self.late.entry(station).or_default();
         *late = (late.0.saturating_add(1), late.1.longer(by.min(LATEST_WAIT)));
+        self.misses(station, by);
+    }
+
+    /// No reply of a station came within the time that was left for it.
+    pub(super) fn misses(&mut self, station: u8, within: Span) {
         let latest = self.latest.entry(station).or_default();
-        *latest = latest.longer(by);
+        *latest = latest.longer(within);
     }
 
     /// A station has answered in time.

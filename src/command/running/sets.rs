@@ -15,9 +15,11 @@ impl Plan<'_> {
         if self.action == "contacts" { Some(control.contacts) } else { self.needs_control.then_some(control.obeys) }
     }
 
-    /// Whether nothing runs on behind it, so that what it sets goes back.
+    /// Whether nothing runs on behind it, so that what it sets goes back. A zero that takes another source leaves it: by the old one the shaft
+    /// may turn.
     pub(super) fn gives_back(&self) -> bool {
-        (self.args.hold && self.args.on_exit != StopArg::Keep) || self.aim.is_some() || self.action == "reset"
+        let stops = self.aim.is_some() && self.sets.is_empty();
+        (self.args.hold && self.args.on_exit != StopArg::Keep) || stops || self.action == "reset"
     }
 
     /// Names every setting that changes for the run, in the order in which they are written, and what becomes of a drive that

@@ -1,7 +1,7 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
-use self::behind::{Came, Others, look_behind};
-use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped};
+use self::behind::{Came, Others, look_behind, were_left};
+use super::{Around, Plan, Said, kept_back, meant, on_drive, said_of, stop_harder, unsent, unstopped};
 use crate::args::{Settings, called};
 use crate::command::lines::{Nobody, side_by_side};
 use crate::command::{Context, connect};
@@ -13,6 +13,7 @@ use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
 use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
 
 mod behind;
 
@@ -38,9 +39,10 @@ pub(in crate::command) async fn stop_each<'p, C>(
     let Context { settings, registry, interrupt, observe, .. } = context;
     interrupt.hear_only_keys();
     let (registry, interrupt, what) = (*registry, &*interrupt, (act, &plan, &check, &work));
+    let (busy, stops) = (Cell::new(0), Cell::new(0));
     if settings.lines.is_empty() {
-        let alone = Others { busy: &Cell::new(0), counts: Cell::new(false), waits: false };
-        let came = stop_line((settings, registry, interrupt), *observe, &alone, what).await?;
+        let alone = Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
+        let came = stop_line((settings, registry, interrupt), *observe, &alone, None, what).await?;
         return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(came)));
     }
     // One file holds one line, and a second one would not be opened.
@@ -50,31 +52,47 @@ pub(in crate::command) async fn stop_each<'p, C>(
         let note = both!("not recorded: one file holds one line", "nicht aufgezeichnet: eine Datei fasst eine Leitung");
         (observe)(Event::Note(note));
     }
-    let ports = lines.chunk_by(|one, other| one.port == other.port);
-    let last: Vec<*const Settings> = ports.filter_map(<[Settings]>::last).map(std::ptr::from_ref).collect();
-    let busy = Cell::new(last.len());
+    let ports: Vec<&[Settings]> = lines.chunk_by(|one, other| one.port == other.port).collect();
+    busy.set(ports.len());
+    let came = RefCell::new(BTreeMap::new());
     let stop = async |line: &Settings, tell: &mut dyn FnMut(Event)| {
-        let is_last = last.contains(&std::ptr::from_ref(line));
-        let others = Others { busy: &busy, counts: Cell::new(is_last), waits: is_last };
-        let came = stop_line((line, registry, interrupt), tell, &others, what).await;
+        let at = lines.iter().position(|other| std::ptr::eq(other, line)).unwrap_or_default();
+        let is_last = ports.iter().filter_map(|lines| lines.last()).any(|last| std::ptr::eq(last, line));
+        let others = Others { busy: &busy, counts: Cell::new(is_last), waits: is_last, stops: &stops };
+        let done = stop_line((line, registry, interrupt), tell, &others, None, what).await;
         others.is_done();
-        came
+        came.borrow_mut().insert(at, (done, stops.get()));
+        // While the later lines of a port are stopped, nobody sees the drives of the earlier ones.
+        for (at, line) in (0..at).zip(&lines).filter(|(_, other)| is_last && other.port == line.port) {
+            let done = match came.borrow_mut().get_mut(&at) {
+                Some((Ok(done), _)) => std::mem::take(done),
+                _ => continue,
+            };
+            let alone = Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
+            let done = stop_line((line, registry, interrupt), tell, &alone, Some(done), what).await;
+            came.borrow_mut().insert(at, (done, stops.get()));
+        }
     };
-    let came = side_by_side(&lines, *observe, stop).await;
+    side_by_side(&lines, *observe, stop).await;
     let mut each = Vec::new();
-    for (line, came) in settings.lines.iter().zip(came) {
+    for (at, line) in settings.lines.iter().enumerate() {
+        let Some((came, seen)) = came.borrow_mut().remove(&at) else { continue };
         let (names, addresses) = (called(line)?, line.addresses.named());
-        let came = came.unwrap_or_else(|failure| addresses.iter().map(|_| Err(failure.clone())).collect());
+        let mut came = came.unwrap_or_else(|failure| addresses.iter().map(|_| Err(failure.clone())).collect());
+        if stops.get() > seen {
+            were_left(&mut came);
+        }
         each.extend(addresses.iter().map(|address| (names.get(address).cloned(), *address)).zip(came));
     }
     Ok(told(each.into_iter()))
 }
 
-/// Stops the drives of a line.
+/// Stops the drives of a line; or, where that is `done`, looks at them once more.
 async fn stop_line<'p, C>(
     (settings, registry, interrupt): (&Settings, &Registry, &Interrupt),
     observe: &mut dyn FnMut(Event),
     others: &Others<'_>,
+    done: Option<Vec<Came>>,
     (act, plan, check, work): (
         Relief,
         &impl Fn() -> Plan<'p>,
@@ -84,22 +102,33 @@ async fn stop_line<'p, C>(
 ) -> Result<Vec<Came>, Failure> {
     spoken(settings)?;
     let addresses = settings.addresses.named();
-    let mut session = connect(settings, registry, interrupt, observe).await.map_err(unsent)?;
     let drives = meant(settings, registry, addresses)?;
-    let (calls, pressed) = shout_round(&mut session, registry, &drives, act).await;
-    let calls: RefCell<Vec<Option<Call<'_>>>> = RefCell::new(calls.into_iter().map(Some).collect());
+    let mut session = match connect(settings, registry, interrupt, observe).await {
+        Ok(session) => session,
+        Err(failure) => {
+            let mut came = done.ok_or_else(|| unsent(failure))?;
+            were_left(&mut came);
+            return Ok(came);
+        }
+    };
     let stop = async |session: &mut Session<'_>, drive: &Meant, call: Option<Call<'_>>, pressed: bool| {
         let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
         stop_one(session, &mut around, (drive, call, pressed), (act, plan()), check, work).await
     };
-    let one = async |session: &mut Session<'_>, at: usize| {
-        let call = calls.borrow_mut().get_mut(at).and_then(Option::take);
-        let Some(drive) = drives.get(at) else { return Ok(Outcome::default()) };
-        stop(session, drive, call, pressed).await
-    };
     let again = async |session: &mut Session<'_>, drive: &Meant| stop(session, drive, None, false).await;
-    let mut came = in_turns(&mut session, &drives.iter().collect::<Vec<_>>(), one, &again).await;
-    others.is_done();
+    let mut came = match done {
+        Some(came) => came,
+        None => {
+            let (calls, pressed) = shout_round(&mut session, registry, &drives, act).await;
+            let calls: RefCell<Vec<Option<Call<'_>>>> = RefCell::new(calls.into_iter().map(Some).collect());
+            let one = async |session: &mut Session<'_>, at: usize| {
+                let call = calls.borrow_mut().get_mut(at).and_then(Option::take);
+                let Some(drive) = drives.get(at) else { return Ok(Outcome::default()) };
+                stop(session, drive, call, pressed).await
+            };
+            in_turns(&mut session, &drives.iter().collect::<Vec<_>>(), one, &again).await
+        }
+    };
     look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
     Ok(came)
 }
@@ -135,7 +164,7 @@ fn spoken(settings: &Settings) -> Result<(), Failure> {
         "nothing was sent: a stop of several goes over Modbus and VABus alone",
         "es wurde nichts gesendet: ein Halt mehrerer geht nur über Modbus und VABus"
     );
-    Err(unsent(Failure::new(Class::Usage, "usage.protocol", message)))
+    Err(kept_back(Failure::new(Class::Usage, "usage.protocol", message)))
 }
 
 /// Goes on saying it to one of them, and proves it.

@@ -272,10 +272,9 @@ fn not_standing(
 ) -> Option<Failure> {
     let setpoint = setpoint?;
     let is_lifted = setpoint.effective.is_some_and(|makes| makes.raw != 0) && running == Some(true);
-    let turns_on = setpoint.reached == Some(false) && running != Some(false);
     let turns = match plan.aim {
         Some(aim) => aim == Relief::Zero && setpoint.reached == Some(false),
-        None => setpoint.value.raw == 0 && (is_lifted || turns_on) && !plan.runs && !plan.args.hold,
+        None => setpoint.value.raw == 0 && is_lifted && !plan.runs && !plan.args.hold,
     };
     turns.then(|| {
         let text =

@@ -4,7 +4,7 @@ use super::Args;
 use super::wanted::Wanted;
 use crate::args::below_zero::SIGN;
 use crate::command::running::Plan;
-use crate::drive::motion::{Motor, Situation, elsewhere, role_raw, turns, zero_only_slows};
+use crate::drive::motion::{OPERATION, Situation, elsewhere, role_raw, turns, zero_only_slows};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -43,9 +43,14 @@ pub(super) fn goes_first(args: &Args, wanted: &Wanted) -> bool {
         && wanted.schedule.values().all(|raw| raw == 0)
 }
 
-/// Whether a zero that somebody had to agree to, since it changes where the setpoint comes from, is to bring the shaft to rest all the same.
-pub(super) fn is_waited_for(args: &Args, wanted: &Wanted, motor: &Motor<'_, '_>) -> bool {
-    goes_first(args, wanted) && args.source.is_some() && !args.motion.hold && motor.is_enabled()
+/// Whether a zero changes where the setpoint comes from: somebody must agree to that, and it is to bring the shaft to rest all the same.
+pub(super) fn changes_source(args: &Args, wanted: &Wanted) -> bool {
+    goes_first(args, wanted) && args.source.is_some() && !args.motion.hold
+}
+
+/// Whether such a zero stops a drive that has power.
+pub(super) fn is_waited_for(args: &Args, wanted: &Wanted, before: &Situation) -> bool {
+    changes_source(args, wanted) && before.state == OPERATION
 }
 
 /// The modes of a family that a zero may mean, before the drive is asked.

@@ -102,6 +102,28 @@ fn a_zero_from_another_source_ends_when_the_shaft_stands() {
     assert!(run.data("/setpoint/reached").is_null(), "{:#}", run.value);
 }
 
+/// An answer is lost behind the standstill, and somebody sets the shaft going: it is given its 0 once more, or told.
+#[test]
+fn a_zero_from_another_source_is_looked_at_once_more_behind_a_lost_answer() {
+    let set = "\"410\" = 15, \"412\" = 1, \"434\" = 3, \"228\" = 0, \"484\" = 10, \"418\" = 0";
+    let line = "-v -b 115200 -a 1 --drive acu --yes sollwert 0 --source line";
+    let calm = ran(Span::from_secs(3), line, &drive(set, "")).exits(0).sent().len();
+    let mut stopped = 0;
+    for lost in calm - 12..calm {
+        let rest = format!(
+            "[[drive.event]]\nafter_telegrams = {}\nset = {{ \"484\" = 3000 }}\n[[disturb]]\nonce = {lost}\nkind = \"lost\"\n",
+            lost + 1
+        );
+        let run = ran(Span::from_secs(3), line, &drive(set, &rest)).run();
+        let (mut left, at) = witness::left().unwrap();
+        left.advance(at);
+        let turns = left.totals().turning > 0;
+        assert!(!turns || run.err.contains("THE SHAFT MAY STILL TURN"), "{lost} of {calm}: {} {}", run.exit, run.err);
+        stopped += usize::from(!turns);
+    }
+    assert!(stopped > 3, "{stopped}");
+}
+
 /// Nobody agrees to another source: the zero went out before, and whether the shaft obeys it is looked at.
 #[test]
 fn a_zero_to_whose_rest_nobody_agreed_is_told_with_the_capitals_where_the_shaft_turns() {

@@ -33,18 +33,28 @@ pub(super) struct Others<'a> {
     pub(super) counts: Cell<bool>,
     /// Its drives are looked at until all are through: it is the last line of its port.
     pub(super) waits: bool,
+    /// So often drives of any port were stopped anew behind their proof.
+    pub(super) stops: &'a Cell<u32>,
 }
 
 impl Others<'_> {
-    /// The drives of this line are proven, or were not reached.
+    /// The drives of this line were seen at rest behind their proof, or were not reached.
     pub(super) fn is_done(&self) {
         if self.counts.replace(false) {
             self.busy.set(self.busy.get().saturating_sub(1));
         }
     }
 
+    /// Drives of this line are stopped anew.
+    fn begins_anew(&self) {
+        self.stops.set(self.stops.get().saturating_add(1));
+        if self.waits && !self.counts.replace(true) {
+            self.busy.set(self.busy.get() + 1);
+        }
+    }
+
     fn are_busy(&self) -> bool {
-        self.waits && self.busy.get() > 0
+        self.waits && self.busy.get() > usize::from(self.counts.get())
     }
 }
 
@@ -94,10 +104,10 @@ pub(super) async fn look_behind<'a>(
         let proven = Cell::new(proven(session, registry, came).await);
         each.push(Behind { drive, came, proven, now: Now::Stopped, was_silent: false, owed: 0, left_out: false });
     }
-    let (mut calm, mut restless, mut cut_off) = (0, 0, 0);
+    let (mut calm, mut restless, mut cut_off) = (0, 0, 0_u8);
     while restless < MOST_ROUNDS && cut_off < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
-        if !waits_for_what_is_owed(session).await {
+        if !waits_for_what_is_owed(session, &mut cut_off).await {
             cut_off = MOST_ROUNDS;
             break;
         }
@@ -109,11 +119,13 @@ pub(super) async fn look_behind<'a>(
             continue;
         }
         if each.iter().any(|one| one.now != Now::Stopped) {
+            others.begins_anew();
             stop_again(session, act, &mut each, &stop).await;
             session.note_interrupts();
             (calm, restless) = (0, restless + u8::from(!is_early));
             continue;
         }
+        others.is_done();
         if is_early {
             beat(session).await;
             continue;
@@ -121,7 +133,11 @@ pub(super) async fn look_behind<'a>(
         calm += 1;
         let is_owed = session.owes_for().is_some() && each.iter().any(|one| !one.left_out);
         let is_fresh = calm >= MOST_ROUNDS || unseen <= usual_round(each.len());
-        if session.presses() > 0 || !is_owed && is_fresh {
+        if is_fresh && (!is_owed || cut_off > 0) {
+            if is_owed {
+                // The line is kept for it, and nobody seen meanwhile.
+                cut_off = MOST_ROUNDS;
+            }
             break;
         }
         for one in each.iter_mut().filter(|one| session.is_owed_by(one.drive.address)) {
@@ -147,15 +163,24 @@ pub(super) async fn look_behind<'a>(
     }
 }
 
+/// Nobody knows how one ends: with the failure that it has, or with this one; what was proven before tells nothing of the end.
+fn ends(came: &mut Came, failure: Failure) {
+    let Ok(Outcome { data: Some(Data::Motion(motion)), failure: why, .. }) = came else { return };
+    motion.standing = None;
+    if let Some(setpoint) = &mut motion.setpoint {
+        setpoint.reached = None;
+    }
+    *why = Some(verdict::warned(why.take().unwrap_or(failure)));
+}
+
+/// Drives of other lines were stopped anew since anybody has looked at these.
+pub(super) fn were_left(came: &mut [Came]) {
+    came.iter_mut().for_each(|came| ends(came, unseen()));
+}
+
 impl Behind<'_> {
-    /// Nobody knows how it ends: with the failure that it has, or with this one; what was proven before tells nothing of the end.
     fn ends(&mut self, failure: Failure) {
-        let Ok(Outcome { data: Some(Data::Motion(motion)), failure: why, .. }) = self.came else { return };
-        motion.standing = None;
-        if let Some(setpoint) = &mut motion.setpoint {
-            setpoint.reached = None;
-        }
-        *why = Some(verdict::warned(why.take().unwrap_or(failure)));
+        ends(self.came, failure);
     }
 
     fn has_failed(&self) -> bool {
@@ -279,13 +304,14 @@ fn usual_round(drives: usize) -> Span {
     Span::from_micros(EACH.as_micros() * drives as u64).longer(Span::from_millis(200))
 }
 
-/// Waits for replies that are still owed: the line is kept for so long anyway. Who has interrupted is in a hurry. Whether the line is still there.
-async fn waits_for_what_is_owed(session: &mut Session<'_>) -> bool {
+/// Waits for replies that are still owed: the line is kept for so long anyway. Who interrupts that is in a hurry. Whether the line is still there.
+async fn waits_for_what_is_owed(session: &mut Session<'_>, cut_off: &mut u8) -> bool {
     session.end_at(None);
-    let left = session.owes_for().filter(|_| session.presses() == 0).unwrap_or(Span::ZERO);
+    let left = session.owes_for().filter(|_| *cut_off == 0).unwrap_or(Span::ZERO);
     match session.rest(left).await {
         Err(AccessError::Interrupted) => {
             session.note_interrupts();
+            *cut_off += 1;
             true
         }
         rested => rested.is_ok(),
