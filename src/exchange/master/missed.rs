@@ -65,7 +65,9 @@ impl Master {
     fn miss(&mut self, now: Tick, due: Option<Tick>, error: ExchangeError) -> Step<Outcome> {
         let Some(job) = &self.job else { return Step::Wait(now) };
         let station = job.station;
-        self.heard.misses(station, job.limits.reply_timeout);
+        if matches!(error, ExchangeError::Silence { .. }) {
+            self.heard.misses(station, job.limits.reply_timeout);
+        }
         let old = self.debts.due(station).map_or(now + LATEST_OF_ALL, |(_, end)| end);
         match job.is_fenced() {
             true => self.debts.owes_fence(station, job.asks().clone(), now),

@@ -202,14 +202,20 @@ impl Behind<'_> {
 }
 
 /// A round: who is slow alone, the slowest first, then the others in turns, so that each is seen last as late as all of them allow, for a
-/// position takes several looks. Returns for how long one of those was not seen.
+/// position takes several looks. Returns for how long one of those was not seen that answered at once.
 async fn look_around(session: &mut Session<'_>, act: Relief, each: &mut [Behind<'_>]) -> Span {
     each.iter_mut().for_each(|one| one.now = Now::Stopped);
     let due = each.iter_mut().filter(|one| !one.left_out);
     let (mut slow, prompt): (Vec<_>, Vec<_>) = due.partition(|one| session.slowest_answer(one.drive.address) > SLOW);
     slow.sort_by_key(|one| Reverse(session.slowest_answer(one.drive.address)));
+    let mut first = None;
     for one in &mut slow {
+        let begun = session.now();
         one.now = now_of(session, act, &one.proven).await;
+        if session.now().since(begun) <= SLOW + SLOW {
+            // It is not slow now.
+            first = first.or(Some(session.now()));
+        }
     }
     let whom: Vec<u8> = prompt.iter().map(|one| one.drive.address).collect();
     let look = async |session: &mut Session<'_>, at: usize| match prompt.get(at) {
@@ -217,7 +223,7 @@ async fn look_around(session: &mut Session<'_>, act: Relief, each: &mut [Behind<
         None => (Now::Stopped, session.now()),
     };
     let looked = session.side_by_side(&whom, look).await;
-    let first = looked.iter().map(|(_, seen)| *seen).min();
+    let first = first.or_else(|| looked.iter().map(|(_, seen)| *seen).min());
     for (one, (now, _)) in prompt.into_iter().zip(looked) {
         one.now = match now {
             // Somebody slow says nothing in turns that are short.
