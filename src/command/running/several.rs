@@ -12,7 +12,9 @@ use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
+use crate::tick::Span;
 use std::cell::{Cell, RefCell};
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 mod behind;
@@ -42,8 +44,8 @@ pub(in crate::command) async fn stop_each<'p, C>(
     let (busy, stops) = (Cell::new(0), Cell::new(0));
     if settings.lines.is_empty() {
         let alone = Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
-        let came = stop_line((settings, registry, interrupt), *observe, &alone, None, what).await?;
-        return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(came)));
+        let stopped = stop_line((settings, registry, interrupt), *observe, &alone, None, what).await?;
+        return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(stopped.came)));
     }
     // One file holds one line, and a second one would not be opened.
     let unrecorded = |line: &Settings| Settings { trace: None, ..line.clone() };
@@ -59,32 +61,60 @@ pub(in crate::command) async fn stop_each<'p, C>(
         let at = lines.iter().position(|other| std::ptr::eq(other, line)).unwrap_or_default();
         let is_last = ports.iter().filter_map(|lines| lines.last()).any(|last| std::ptr::eq(last, line));
         let others = Others { busy: &busy, counts: Cell::new(is_last), waits: is_last, stops: &stops };
-        let done = stop_line((line, registry, interrupt), tell, &others, None, what).await;
+        let stopped = stop_line((line, registry, interrupt), tell, &others, None, what).await;
         others.is_done();
-        came.borrow_mut().insert(at, (done, stops.get()));
-        // While the later lines of a port are stopped, nobody sees the drives of the earlier ones.
-        for (at, line) in (0..at).zip(&lines).filter(|(_, other)| is_last && other.port == line.port) {
+        came.borrow_mut().insert(at, stopped);
+        // While a line of a port is stopped or looked at, nobody sees the drives of its others: those that take long are looked at first.
+        let is_alone = lines.iter().filter(|other| other.port == line.port).count() < 2;
+        if !is_last || is_alone {
+            return;
+        }
+        let mut again: Vec<(Reverse<Span>, usize)> = came
+            .borrow()
+            .iter()
+            .filter_map(|(at, stopped)| {
+                let is_here = lines.get(*at).is_some_and(|other| other.port == line.port);
+                stopped.as_ref().ok().filter(|_| is_here).map(|stopped| (Reverse(stopped.slowest), *at))
+            })
+            .collect();
+        again.sort();
+        for (_, at) in again {
             let done = match came.borrow_mut().get_mut(&at) {
-                Some((Ok(done), _)) => std::mem::take(done),
+                Some(Ok(stopped)) => std::mem::take(&mut stopped.came),
                 _ => continue,
             };
+            let Some(line) = lines.get(at) else { continue };
             let alone = Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
-            let done = stop_line((line, registry, interrupt), tell, &alone, Some(done), what).await;
-            came.borrow_mut().insert(at, (done, stops.get()));
+            let stopped = stop_line((line, registry, interrupt), tell, &alone, Some(done), what).await;
+            came.borrow_mut().insert(at, stopped);
         }
     };
     side_by_side(&lines, *observe, stop).await;
     let mut each = Vec::new();
     for (at, line) in settings.lines.iter().enumerate() {
-        let Some((came, seen)) = came.borrow_mut().remove(&at) else { continue };
+        let Some(stopped) = came.borrow_mut().remove(&at) else { continue };
         let (names, addresses) = (called(line)?, line.addresses.named());
-        let mut came = came.unwrap_or_else(|failure| addresses.iter().map(|_| Err(failure.clone())).collect());
-        if stops.get() > seen {
-            were_left(&mut came);
-        }
+        let came = match stopped {
+            Ok(LineStopped { mut came, seen, .. }) => {
+                if stops.get() > seen {
+                    were_left(&mut came);
+                }
+                came
+            }
+            Err(failure) => addresses.iter().map(|_| Err(failure.clone())).collect(),
+        };
         each.extend(addresses.iter().map(|address| (names.get(address).cloned(), *address)).zip(came));
     }
     Ok(told(each.into_iter()))
+}
+
+/// What came of the drives of a line.
+struct LineStopped {
+    came: Vec<Came>,
+    /// So often drives of any port had been stopped anew as the last look at these began.
+    seen: u32,
+    /// The longest that one of them took for an answer.
+    slowest: Span,
 }
 
 /// Stops the drives of a line; or, where that is `done`, looks at them once more.
@@ -99,7 +129,7 @@ async fn stop_line<'p, C>(
         &impl AsyncFn(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
         &impl AsyncFn(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
     ),
-) -> Result<Vec<Came>, Failure> {
+) -> Result<LineStopped, Failure> {
     spoken(settings)?;
     let addresses = settings.addresses.named();
     let drives = meant(settings, registry, addresses)?;
@@ -108,7 +138,7 @@ async fn stop_line<'p, C>(
         Err(failure) => {
             let mut came = done.ok_or_else(|| unsent(failure))?;
             were_left(&mut came);
-            return Ok(came);
+            return Ok(LineStopped { came, seen: others.stops.get(), slowest: Span::ZERO });
         }
     };
     let stop = async |session: &mut Session<'_>, drive: &Meant, call: Option<Call<'_>>, pressed: bool| {
@@ -129,8 +159,9 @@ async fn stop_line<'p, C>(
             in_turns(&mut session, &drives.iter().collect::<Vec<_>>(), one, &again).await
         }
     };
-    look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
-    Ok(came)
+    let seen = look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
+    let slowest = drives.iter().map(|drive| session.slowest_answer(drive.address)).max().unwrap_or(Span::ZERO);
+    Ok(LineStopped { came, seen, slowest })
 }
 
 /// Stops these side by side, and those that were not heard in it alone.

@@ -33,7 +33,7 @@ pub(super) struct Others<'a> {
     pub(super) counts: Cell<bool>,
     /// Its drives are looked at until all are through: it is the last line of its port.
     pub(super) waits: bool,
-    /// So often drives of any port were stopped anew behind their proof.
+    /// So often drives of any port were stopped anew behind their proof, or that came to its end.
     pub(super) stops: &'a Cell<u32>,
 }
 
@@ -87,14 +87,15 @@ struct Behind<'a> {
     left_out: bool,
 }
 
-/// Looks at all of a line until each is at rest, and was seen so a moment ago.
+/// Looks at all of a line until each is at rest, and was seen so a moment ago. How often drives of any port had been stopped anew as the last
+/// look at these began.
 pub(super) async fn look_behind<'a>(
     session: &mut Session<'a>,
     (registry, act): (&Registry, Relief),
     others: &Others<'_>,
     (drives, came): (&[Meant], &mut [Came]),
     stop: impl AsyncFn(&mut Session<'a>, &Meant) -> Came,
-) {
+) -> u32 {
     let end = session.now() + LONGEST_WAIT;
     session.hastens();
     // Whoever has interrupted meant the stops that are through by now: what he waits for is that all stand.
@@ -104,13 +105,14 @@ pub(super) async fn look_behind<'a>(
         let proven = Cell::new(proven(session, registry, came).await);
         each.push(Behind { drive, came, proven, now: Now::Stopped, was_silent: false, owed: 0, left_out: false });
     }
-    let (mut calm, mut restless, mut cut_off) = (0, 0, 0_u8);
+    let (mut calm, mut restless, mut cut_off, mut seen) = (0, 0, 0_u8, others.stops.get());
     while restless < MOST_ROUNDS && cut_off < MOST_ROUNDS {
         let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session, &mut cut_off).await {
             cut_off = MOST_ROUNDS;
             break;
         }
+        seen = others.stops.get();
         let unseen = look_around(session, act, &mut each).await;
         if session.is_interrupted() {
             // Nobody knows whom that has cut off: once more, from the beginning.
@@ -121,12 +123,14 @@ pub(super) async fn look_behind<'a>(
         if each.iter().any(|one| one.now != Now::Stopped) {
             others.begins_anew();
             stop_again(session, act, &mut each, &stop).await;
+            others.stops.set(others.stops.get().saturating_add(1));
             session.note_interrupts();
             (calm, restless) = (0, restless + u8::from(!is_early));
             continue;
         }
         others.is_done();
-        if is_early {
+        // Another one may have begun anew meanwhile.
+        if is_early || (others.are_busy() && session.now() < end) {
             beat(session).await;
             continue;
         }
@@ -161,6 +165,7 @@ pub(super) async fn look_behind<'a>(
             one.ends(late());
         }
     }
+    seen
 }
 
 /// Nobody knows how one ends: with the failure that it has, or with this one; what was proven before tells nothing of the end.
