@@ -19,6 +19,9 @@ use std::collections::BTreeMap;
 
 mod behind;
 
+/// So often the lines of a port are looked at once more, one behind the other, until the other ports are through: for 900 s at least.
+const MOST_PASSES: u16 = 3_000;
+
 /// A drive among several: its name, where the drives lie on several lines, and its address.
 type Who = (Option<String>, u8);
 
@@ -60,33 +63,42 @@ pub(in crate::command) async fn stop_each<'p, C>(
     let stop = async |line: &Settings, tell: &mut dyn FnMut(Event)| {
         let at = lines.iter().position(|other| std::ptr::eq(other, line)).unwrap_or_default();
         let is_last = ports.iter().filter_map(|lines| lines.last()).any(|last| std::ptr::eq(last, line));
-        let others = Others { busy: &busy, counts: Cell::new(is_last), waits: is_last, stops: &stops };
-        let stopped = stop_line((line, registry, interrupt), tell, &others, None, what).await;
-        others.is_done();
-        came.borrow_mut().insert(at, stopped);
-        // While a line of a port is stopped or looked at, nobody sees the drives of its others: those that take long are looked at first.
         let is_alone = lines.iter().filter(|other| other.port == line.port).count() < 2;
-        if !is_last || is_alone {
+        let port = Others { busy: &busy, counts: Cell::new(is_last), waits: true, stops: &stops };
+        let passing = || Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
+        if is_alone {
+            let stopped = stop_line((line, registry, interrupt), tell, &port, None, what).await;
+            came.borrow_mut().insert(at, stopped);
+            return port.is_done();
+        }
+        let stopped = stop_line((line, registry, interrupt), tell, &passing(), None, what).await;
+        came.borrow_mut().insert(at, stopped);
+        if !is_last {
             return;
         }
-        let mut again: Vec<(Reverse<Span>, usize)> = came
-            .borrow()
-            .iter()
-            .filter_map(|(at, stopped)| {
-                let is_here = lines.get(*at).is_some_and(|other| other.port == line.port);
-                stopped.as_ref().ok().filter(|_| is_here).map(|stopped| (Reverse(stopped.slowest), *at))
-            })
-            .collect();
-        again.sort();
-        for (_, at) in again {
-            let done = match came.borrow_mut().get_mut(&at) {
-                Some(Ok(stopped)) => std::mem::take(&mut stopped.came),
-                _ => continue,
-            };
-            let Some(line) = lines.get(at) else { continue };
-            let alone = Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
-            let stopped = stop_line((line, registry, interrupt), tell, &alone, Some(done), what).await;
-            came.borrow_mut().insert(at, stopped);
+        // While a line of a port is stopped or looked at, nobody sees the drives of its others: those that take long are looked at first, and
+        // all until the other ports are through.
+        for _ in 0..MOST_PASSES {
+            let is_here = |at: &usize| lines.get(*at).is_some_and(|other| other.port == line.port);
+            let mut again: Vec<(Reverse<Span>, usize)> = (came.borrow().iter())
+                .filter(|(at, _)| is_here(at))
+                .filter_map(|(at, stopped)| Some((Reverse(stopped.as_ref().ok()?.slowest), *at)))
+                .collect();
+            again.sort();
+            for (_, at) in again {
+                let done = match came.borrow_mut().get_mut(&at) {
+                    Some(Ok(stopped)) => std::mem::take(&mut stopped.came),
+                    _ => continue,
+                };
+                let Some(line) = lines.get(at) else { continue };
+                let stopped = stop_line((line, registry, interrupt), tell, &passing(), Some(done), what).await;
+                came.borrow_mut().insert(at, stopped);
+            }
+            port.is_done();
+            if !port.are_busy() {
+                break;
+            }
+            tokio::task::yield_now().await;
         }
     };
     side_by_side(&lines, *observe, stop).await;

@@ -18,7 +18,8 @@ use std::cmp::Reverse;
 const MOST_ROUNDS: u8 = 4;
 /// So long is waited between rounds while other ports are not through, and for them.
 const BEAT: Span = Span::from_millis(100);
-const LONGEST_WAIT: Span = Span::from_secs(120);
+/// A stop may be waited for as long as a shaft becomes slower, 600 s.
+const LONGEST_WAIT: Span = Span::from_secs(900);
 /// Who took longer for an answer is looked at alone, before the others: behind him they would be unseen for as long.
 const SLOW: Span = Span::from_millis(60);
 
@@ -38,22 +39,27 @@ pub(super) struct Others<'a> {
 }
 
 impl Others<'_> {
-    /// The drives of this line were seen at rest behind their proof, or were not reached.
+    /// The drives of this line are at rest, and were seen so a moment ago; or were not reached.
     pub(super) fn is_done(&self) {
         if self.counts.replace(false) {
             self.busy.set(self.busy.get().saturating_sub(1));
         }
     }
 
-    /// Drives of this line are stopped anew.
-    fn begins_anew(&self) {
-        self.stops.set(self.stops.get().saturating_add(1));
-        if self.waits && !self.counts.replace(true) {
+    /// Nobody knows of these whether they are at rest.
+    fn is_busy(&self) {
+        if !self.counts.replace(true) {
             self.busy.set(self.busy.get() + 1);
         }
     }
 
-    fn are_busy(&self) -> bool {
+    /// Drives of this line are stopped anew.
+    fn begins_anew(&self) {
+        self.stops.set(self.stops.get().saturating_add(1));
+        self.is_busy();
+    }
+
+    pub(super) fn are_busy(&self) -> bool {
         self.waits && self.busy.get() > usize::from(self.counts.get())
     }
 }
@@ -107,7 +113,6 @@ pub(super) async fn look_behind<'a>(
     }
     let (mut calm, mut restless, mut cut_off, mut seen) = (0, 0, 0_u8, others.stops.get());
     while restless < MOST_ROUNDS && cut_off < MOST_ROUNDS {
-        let is_early = others.are_busy() && session.now() < end;
         if !waits_for_what_is_owed(session, &mut cut_off).await {
             cut_off = MOST_ROUNDS;
             break;
@@ -125,36 +130,41 @@ pub(super) async fn look_behind<'a>(
             stop_again(session, act, &mut each, &stop).await;
             others.stops.set(others.stops.get().saturating_add(1));
             session.note_interrupts();
+            let is_early = others.are_busy() && session.now() < end;
             (calm, restless) = (0, restless + u8::from(!is_early));
             continue;
         }
-        others.is_done();
-        // Another one may have begun anew meanwhile.
-        if is_early || (others.are_busy() && session.now() < end) {
-            beat(session).await;
-            continue;
-        }
-        calm += 1;
         let is_owed = session.owes_for().is_some() && each.iter().any(|one| !one.left_out);
-        let is_fresh = calm >= MOST_ROUNDS || unseen <= usual_round(each.len());
+        let is_fresh = calm + 1 >= MOST_ROUNDS || unseen <= usual_round(each.len());
         if is_fresh && (!is_owed || cut_off > 0) {
+            others.is_done();
+            if others.are_busy() && session.now() < end {
+                calm = 0;
+                beat(session).await;
+                continue;
+            }
             if is_owed {
                 // The line is kept for it, and nobody seen meanwhile.
                 cut_off = MOST_ROUNDS;
             }
             break;
         }
+        others.is_busy();
+        calm += 1;
         for one in each.iter_mut().filter(|one| session.is_owed_by(one.drive.address)) {
             one.owed += 1;
             one.left_out |= calm + 1 >= MOST_ROUNDS && one.owed > 1;
         }
     }
+    // Whoever leaves before the others sees nobody while they are stopped.
+    let is_through = !others.are_busy();
+    others.is_done();
     let stopped_last = each.iter().filter(|one| one.now != Now::Stopped).count();
     for one in &mut each {
         // Of those that were stopped together the first to stand was seen as long ago as the last one took.
         let was_seen = match stopped_last {
-            0 => true,
-            1 => one.now != Now::Stopped,
+            0 => is_through,
+            1 => is_through && one.now != Now::Stopped,
             _ => false,
         };
         if cut_off >= MOST_ROUNDS {
