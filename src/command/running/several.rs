@@ -79,6 +79,7 @@ pub(in crate::command) async fn stop_each<'p, C>(
         // While a line of a port is stopped or looked at, nobody sees the drives of its others: those that take long are looked at first, and
         // all until the other ports are through.
         for _ in 0..MOST_PASSES {
+            port.is_busy();
             let is_here = |at: &usize| lines.get(*at).is_some_and(|other| other.port == line.port);
             let mut again: Vec<(Reverse<Span>, usize)> = (came.borrow().iter())
                 .filter(|(at, _)| is_here(at))

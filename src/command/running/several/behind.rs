@@ -16,8 +16,9 @@ use std::cmp::Reverse;
 
 /// So often all are looked at once more where one of them was set going again, and so often where all are at rest and something is owed.
 const MOST_ROUNDS: u8 = 4;
-/// So long is waited between rounds while other ports are not through, and for them.
-const BEAT: Span = Span::from_millis(100);
+/// So long, and so often, is waited between rounds until the other ports are at rest as well; and so long for them in all.
+const BEAT: Span = Span::from_millis(20);
+const BEATS: u8 = 5;
 /// A stop may be waited for as long as a shaft becomes slower, 600 s.
 const LONGEST_WAIT: Span = Span::from_secs(900);
 /// Who took longer for an answer is looked at alone, before the others: behind him they would be unseen for as long.
@@ -47,7 +48,7 @@ impl Others<'_> {
     }
 
     /// Nobody knows of these whether they are at rest.
-    fn is_busy(&self) {
+    pub(super) fn is_busy(&self) {
         if !self.counts.replace(true) {
             self.busy.set(self.busy.get() + 1);
         }
@@ -118,6 +119,7 @@ pub(super) async fn look_behind<'a>(
             break;
         }
         seen = others.stops.get();
+        others.is_busy();
         let unseen = look_around(session, act, &mut each).await;
         if session.is_interrupted() {
             // Nobody knows whom that has cut off: once more, from the beginning.
@@ -138,9 +140,8 @@ pub(super) async fn look_behind<'a>(
         let is_fresh = calm + 1 >= MOST_ROUNDS || unseen <= usual_round(each.len());
         if is_fresh && (!is_owed || cut_off > 0) {
             others.is_done();
-            if others.are_busy() && session.now() < end {
+            if session.now() < end && !beat(session, others, seen).await {
                 calm = 0;
-                beat(session).await;
                 continue;
             }
             if is_owed {
@@ -149,7 +150,6 @@ pub(super) async fn look_behind<'a>(
             }
             break;
         }
-        others.is_busy();
         calm += 1;
         for one in each.iter_mut().filter(|one| session.is_owed_by(one.drive.address)) {
             one.owed += 1;
@@ -339,12 +339,19 @@ async fn waits_for_what_is_owed(session: &mut Session<'_>, cut_off: &mut u8) -> 
     }
 }
 
-/// Leaves the others some time.
-async fn beat(session: &mut Session<'_>) {
-    session.end_at(None);
-    // Without a line the next look ends it.
-    let _ = session.rest(BEAT).await;
-    tokio::task::yield_now().await;
+/// Leaves the others some time, and tells whether all are at rest at once, and none was stopped anew since these were seen.
+async fn beat(session: &mut Session<'_>, others: &Others<'_>, seen: u32) -> bool {
+    let are_through = || !others.are_busy() && others.stops.get() == seen;
+    for _ in 0..BEATS {
+        if are_through() {
+            return true;
+        }
+        session.end_at(None);
+        // Without a line the next look ends it.
+        let _ = session.rest(BEAT).await;
+        tokio::task::yield_now().await;
+    }
+    are_through()
 }
 
 /// A drive of which a stop was proven, or that it has no power any more.
