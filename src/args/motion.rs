@@ -73,6 +73,11 @@ impl MotionArgs {
         self.view || self.dead_man
     }
 
+    /// Whether the run is held, and its end is a stop.
+    pub fn ends_in_a_stop(&self) -> bool {
+        self.hold && self.on_exit != StopArg::Keep
+    }
+
     /// The same without what bounds a run: a stop is none.
     pub fn of_a_stop(&self) -> MotionArgs {
         MotionArgs { hold: false, duration: None, view: false, dead_man: false, ..self.clone() }

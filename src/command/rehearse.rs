@@ -258,7 +258,7 @@ impl<'r> Rehearsal<'r> {
             }
             row.iter().flat_map(|row| &row.commands).for_each(|slug| self.command(slug));
         }
-        let gives_back = stops || (motion.hold && motion.on_exit != StopArg::Keep);
+        let gives_back = stops || motion.ends_in_a_stop();
         if gives_back && family.motion.control.is_some() && motion.take_control {
             // So that no contact closes when control goes back.
             self.control(0);

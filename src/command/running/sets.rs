@@ -1,7 +1,6 @@
 //! What a run sets besides its setpoint, named before somebody agrees.
 
 use super::Plan;
-use crate::args::StopArg;
 use crate::drive::motion::{Situation, goes_now, taken_over, would_change};
 use crate::drive::{Session, Target};
 use crate::failure::Failure;
@@ -19,7 +18,7 @@ impl Plan<'_> {
     /// may turn.
     pub(super) fn gives_back(&self) -> bool {
         let stops = self.aim.is_some() && self.sets.is_empty();
-        (self.args.hold && self.args.on_exit != StopArg::Keep) || stops || self.action == "reset"
+        self.args.ends_in_a_stop() || stops || self.action == "reset"
     }
 
     /// Names every setting that changes for the run, in the order in which they are written, and what becomes of a drive that

@@ -2,7 +2,6 @@
 
 use super::Plan;
 use super::done::{Done, Seen};
-use crate::args::StopArg;
 use crate::drive::motion::{Ended, Situation, has_power, tripped, what_stops_it};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -230,7 +229,7 @@ fn broken_promise(
     if let Some(code) = fault(plan, seen) {
         return Some(tripped(family, code));
     }
-    let must_stand = plan.args.hold && plan.args.on_exit != StopArg::Keep;
+    let must_stand = plan.args.ends_in_a_stop();
     let must_stop = matches!(plan.aim, Some(act) if act != Relief::Zero);
     // A run that was to end must have ended, whatever was acknowledged on the way.
     let turns_on = ((must_stand || must_stop) && running != Some(false)).then(|| still_running(family));

@@ -2,7 +2,6 @@
 
 use super::wanted::{Wanted, out_of_range};
 use super::{Args, in_hertz};
-use crate::args::StopArg;
 use crate::drive::motion::{Own, Promise, Situation, Total, in_fault, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
@@ -225,7 +224,7 @@ impl Check<'_, '_> {
     fn ends_at_zero(&self) -> bool {
         let motion = &self.args.motion;
         let enables = self.args.enable || self.args.jog.is_some();
-        let is_bounded = motion.hold && motion.on_exit != StopArg::Keep;
+        let is_bounded = motion.ends_in_a_stop();
         is_bounded && !(enables || self.before.obeys(&self.target.family))
     }
 }

@@ -56,8 +56,13 @@ impl Others<'_> {
 
     /// Drives of this line are stopped anew.
     fn begins_anew(&self) {
-        self.stops.set(self.stops.get().saturating_add(1));
         self.is_busy();
+        self.counts_a_stop();
+    }
+
+    /// Such a stop begins, or has come to its end: who was seen before saw less than all.
+    fn counts_a_stop(&self) {
+        self.stops.set(self.stops.get().saturating_add(1));
     }
 
     pub(super) fn are_busy(&self) -> bool {
@@ -130,7 +135,7 @@ pub(super) async fn look_behind<'a>(
         if each.iter().any(|one| one.now != Now::Stopped) {
             others.begins_anew();
             stop_again(session, act, &mut each, &stop).await;
-            others.stops.set(others.stops.get().saturating_add(1));
+            others.counts_a_stop();
             session.note_interrupts();
             let is_early = others.are_busy() && session.now() < end;
             (calm, restless) = (0, restless + u8::from(!is_early));
