@@ -5,6 +5,7 @@ use crate::render::{self, Console, Key, Keys, Stream};
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use std::cell::{Cell, RefCell};
+use std::time::Duration;
 #[cfg(windows)]
 use tokio::signal::windows;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
@@ -27,7 +28,7 @@ pub(super) async fn obey_keys(
     over: &Cell<bool>,
 ) {
     let (Some(mut keys), Some(stream)) = (keys, stream) else { return std::future::pending().await };
-    let mut hand = Hand { begun: Instant::now(), ctrl_c: None };
+    let mut hand = Hand { begun: Instant::now(), ctrl_c: Repeated::default() };
     let mut last = None;
     loop {
         let is_quiet = last.is_none_or(|last| hand.now().since(last) >= QUIET);
@@ -57,13 +58,29 @@ pub(super) async fn obey_keys(
 /// Who presses the keys of a run, by the clock.
 struct Hand {
     begun: Instant,
-    /// When Ctrl-C came last.
-    ctrl_c: Option<Tick>,
+    ctrl_c: Repeated,
 }
 
-/// A Ctrl-C that comes so soon behind one is the key repeating, and no second wish. A choice: keyboards repeat every 30 to
-/// 100 ms.
-const REPEATS: Span = Span::from_millis(150);
+/// What comes so soon behind the same is a key that repeats, or one wish that came twice, as from `timeout`, which signals its child and then
+/// the group of it. A choice: keyboards repeat every 30 to 100 ms.
+const REPEATS: Duration = Duration::from_millis(150);
+
+/// When the same was wished last.
+#[derive(Default)]
+struct Repeated(Option<Instant>);
+
+impl Repeated {
+    /// Whether it is wished anew now, and does not merely repeat.
+    fn is_new(&mut self) -> bool {
+        let now = Instant::now();
+        self.0.replace(now).is_none_or(|before| now - before > REPEATS)
+    }
+
+    /// Whether a signal is the same wish as the one before: another one for the end makes the stop a stronger one, the rest may come twice.
+    fn swallows(&mut self, wish: Wish) -> bool {
+        matches!(wish, Wish::End) && !self.is_new()
+    }
+}
 
 /// So often what had to wait for the terminal is drawn.
 const MOMENT: Span = Span::from_millis(100);
@@ -90,8 +107,7 @@ impl Hand {
             Key::Stop => Button::Stop,
             Key::Quit => Button::End,
             Key::Interrupt => {
-                let before = self.ctrl_c.replace(now);
-                if before.is_none_or(|before| now.since(before) > REPEATS) {
+                if self.ctrl_c.is_new() {
                     interrupt.press();
                 }
                 return;
@@ -107,7 +123,7 @@ impl Hand {
 #[expect(clippy::disallowed_methods, reason = "looks at a pipe now and then; no telegram depends on this time")]
 pub(super) async fn raise_on_closed_output(interrupt: Interrupt, terminal: bool) {
     while !(render::output_is_closed() || terminal && render::terminal_is_gone()) {
-        tokio::time::sleep(std::time::Duration::from_millis(100)).await;
+        tokio::time::sleep(Duration::from_millis(100)).await;
     }
     interrupt.raise();
 }
@@ -169,7 +185,10 @@ impl Signals {
         for (wish, number) in rows.flat_map(|(wish, numbers)| numbers.iter().map(|number| (*wish, *number))) {
             let Ok(mut signal) = signal(SignalKind::from_raw(number)) else { continue };
             let heard = heard.clone();
-            tokio::spawn(async move { while signal.recv().await.is_some() && heard.send(wish).is_ok() {} });
+            let mut repeated = Repeated::default();
+            tokio::spawn(async move {
+                while signal.recv().await.is_some() && (repeated.swallows(wish) || heard.send(wish).is_ok()) {}
+            });
         }
         Signals { wishes }
     }
@@ -181,8 +200,10 @@ impl Signals {
         macro_rules! hear {
             ($($event:ident: $wish:ident),*) => {$(
                 if let Ok(mut event) = windows::$event() {
-                    let heard = heard.clone();
-                    tokio::spawn(async move { while event.recv().await.is_some() && heard.send(Wish::$wish).is_ok() {} });
+                    let (heard, mut repeated) = (heard.clone(), Repeated::default());
+                    tokio::spawn(async move {
+                        while event.recv().await.is_some() && (repeated.swallows(Wish::$wish) || heard.send(Wish::$wish).is_ok()) {}
+                    });
                 }
             )*};
         }

@@ -37,19 +37,36 @@ pub(in crate::command) async fn side_by_side<R>(
     observe: &mut dyn FnMut(Event),
     work: impl AsyncFn(&Settings, &mut dyn FnMut(Event)) -> R,
 ) -> Vec<R> {
+    let in_turn = async |lines: &[Settings], observe: &mut dyn FnMut(Event)| {
+        let mut came = Vec::new();
+        for line in lines {
+            came.push(work(line, observe).await);
+        }
+        came
+    };
+    ports_side_by_side(lines, observe, in_turn).await
+}
+
+/// The same, where each port goes over its lines in its own way, and tells what came of each.
+pub(in crate::command) async fn ports_side_by_side<R>(
+    lines: &[Settings],
+    observe: &mut dyn FnMut(Event),
+    work: impl AsyncFn(&[Settings], &mut dyn FnMut(Event)) -> Vec<R>,
+) -> Vec<R> {
     let (observe, work) = (RefCell::new(observe), &work);
-    let ports = lines.chunk_by(|one, other| one.port == other.port).map(|lines| {
+    let ports = by_port(lines).map(|lines| {
         let observe = &observe;
         async move {
-            let mut came = Vec::new();
-            for line in lines {
-                let port = port(line);
-                came.push(work(line, &mut |event| (observe.borrow_mut())(named(&port, event))).await);
-            }
-            came
+            let port = lines.first().map(port).unwrap_or_default();
+            work(lines, &mut |event| (observe.borrow_mut())(named(&port, event))).await
         }
     });
     join_all(ports).await.into_iter().flatten().collect()
+}
+
+/// The lines of each port.
+pub(in crate::command) fn by_port(lines: &[Settings]) -> impl Iterator<Item = &[Settings]> {
+    lines.chunk_by(|one, other| one.port == other.port)
 }
 
 /// Refuses a recording of several lines.

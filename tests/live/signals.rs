@@ -63,12 +63,30 @@ fn every_further_signal_shortens_the_stop() {
     {
         run.signal(signal);
         run.shows(sends);
+        // The same at once would be the same wish.
+        thread::sleep(Duration::from_millis(200));
     }
     assert_eq!(run.ends(), Some(130), "{}", run.seen);
     run.shows("note: stopping: ramp; another Ctrl-C: quick-stop");
     assert!(begun.elapsed() < Duration::from_secs(30), "the ramp would take 40 s: {:?}", begun.elapsed());
     run.shows("ramp -> coast: without power, but the shaft still turns");
     assert!(run.seen.contains("quick-stop in place of ramp") && run.seen.contains("coast in place of quick-stop"));
+}
+
+/// As from `timeout`, which signals its child and then the group of it.
+#[test]
+fn a_signal_that_comes_twice_at_once_is_one_wish() {
+    let _alone = alone();
+    let (_directory, port) = bench(OBEYS);
+    for signal in ["-INT", "-TERM"] {
+        let mut run =
+            AtTerminal::start(&format!("-p {port} -a 1 --yes sollwert 5Hz --enable --hold --on-exit quick-stop"));
+        run.shows("note: running; Ctrl-C stops: quick-stop");
+        run.signal(signal);
+        run.signal(signal);
+        assert_eq!(run.ends(), Some(130), "{signal}: {}", run.seen);
+        assert!(!run.seen.contains("coast in place of"), "{signal}: {}", run.seen);
+    }
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
-use self::behind::{Came, Others, look_behind, were_left};
+use self::behind::{Came, look_behind, were_left};
+use self::ports::{Port, Ports};
 use super::{Around, Plan, Said, kept_back, meant, on_drive, said_of, stop_harder, unsent, unstopped};
 use crate::args::{Settings, called};
-use crate::command::lines::{Nobody, side_by_side};
+use crate::command::lines::{Nobody, by_port, ports_side_by_side};
 use crate::command::{Context, connect};
 use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
 use crate::drive::{AccessError, Interrupt, Session, Target, is_there, summary};
@@ -13,11 +14,11 @@ use crate::outcome::{Data, ErrorDoc, Event, Outcome, Stopped, Stops};
 use crate::profile::Registry;
 use crate::text::{Text, both};
 use crate::tick::Span;
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
 
 mod behind;
+mod ports;
 
 /// So often the lines of a port are looked at once more, one behind the other, until the other ports are through: for 900 s at least.
 const MOST_PASSES: u16 = 3_000;
@@ -44,10 +45,10 @@ pub(in crate::command) async fn stop_each<'p, C>(
     let Context { settings, registry, interrupt, observe, .. } = context;
     interrupt.hear_only_keys();
     let (registry, interrupt, what) = (*registry, &*interrupt, (act, &plan, &check, &work));
-    let (busy, stops) = (Cell::new(0), Cell::new(0));
     if settings.lines.is_empty() {
-        let alone = Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
-        let stopped = stop_line((settings, registry, interrupt), *observe, &alone, None, what).await?;
+        let alone = Ports::default();
+        let stopped =
+            stop_line((settings, registry, interrupt), *observe, &alone.one_of_several_lines(), None, what).await?;
         return Ok(told(settings.addresses.named().iter().map(|&address| (None, address)).zip(stopped.came)));
     }
     // One file holds one line, and a second one would not be opened.
@@ -57,59 +58,20 @@ pub(in crate::command) async fn stop_each<'p, C>(
         let note = both!("not recorded: one file holds one line", "nicht aufgezeichnet: eine Datei fasst eine Leitung");
         (observe)(Event::Note(note));
     }
-    let ports: Vec<&[Settings]> = lines.chunk_by(|one, other| one.port == other.port).collect();
-    busy.set(ports.len());
-    let came = RefCell::new(BTreeMap::new());
-    let stop = async |line: &Settings, tell: &mut dyn FnMut(Event)| {
-        let at = lines.iter().position(|other| std::ptr::eq(other, line)).unwrap_or_default();
-        let is_last = ports.iter().filter_map(|lines| lines.last()).any(|last| std::ptr::eq(last, line));
-        let is_alone = lines.iter().filter(|other| other.port == line.port).count() < 2;
-        let port = Others { busy: &busy, counts: Cell::new(is_last), waits: true, stops: &stops };
-        let passing = || Others { busy: &busy, counts: Cell::new(false), waits: false, stops: &stops };
-        if is_alone {
-            let stopped = stop_line((line, registry, interrupt), tell, &port, None, what).await;
-            came.borrow_mut().insert(at, stopped);
-            return port.is_done();
-        }
-        let stopped = stop_line((line, registry, interrupt), tell, &passing(), None, what).await;
-        came.borrow_mut().insert(at, stopped);
-        if !is_last {
-            return;
-        }
-        // While a line of a port is stopped or looked at, nobody sees the drives of its others: those that take long are looked at first, and
-        // all until the other ports are through.
-        for _ in 0..MOST_PASSES {
-            port.is_busy();
-            let is_here = |at: &usize| lines.get(*at).is_some_and(|other| other.port == line.port);
-            let mut again: Vec<(Reverse<Span>, usize)> = (came.borrow().iter())
-                .filter(|(at, _)| is_here(at))
-                .filter_map(|(at, stopped)| Some((Reverse(stopped.as_ref().ok()?.slowest), *at)))
-                .collect();
-            again.sort();
-            for (_, at) in again {
-                let done = match came.borrow_mut().get_mut(&at) {
-                    Some(Ok(stopped)) => std::mem::take(&mut stopped.came),
-                    _ => continue,
-                };
-                let Some(line) = lines.get(at) else { continue };
-                let stopped = stop_line((line, registry, interrupt), tell, &passing(), Some(done), what).await;
-                came.borrow_mut().insert(at, stopped);
-            }
-            port.is_done();
-            if !port.are_busy() {
-                break;
-            }
-            tokio::task::yield_now().await;
-        }
+    let ports = Ports::new(by_port(&lines).count());
+    let stop = async |lines: &[Settings], tell: &mut dyn FnMut(Event)| {
+        let line = async |line: &Settings, port: &Port<'_>, done: Option<Vec<Came>>| {
+            stop_line((line, registry, interrupt), tell, port, done, what).await
+        };
+        stop_port(lines, &ports, line).await
     };
-    side_by_side(&lines, *observe, stop).await;
+    let stopped = ports_side_by_side(&lines, *observe, stop).await;
     let mut each = Vec::new();
-    for (at, line) in settings.lines.iter().enumerate() {
-        let Some(stopped) = came.borrow_mut().remove(&at) else { continue };
+    for (line, stopped) in lines.iter().zip(stopped) {
         let (names, addresses) = (called(line)?, line.addresses.named());
         let came = match stopped {
             Ok(LineStopped { mut came, seen, .. }) => {
-                if stops.get() > seen {
+                if ports.stops() > seen {
                     were_left(&mut came);
                 }
                 came
@@ -119,6 +81,44 @@ pub(in crate::command) async fn stop_each<'p, C>(
         each.extend(addresses.iter().map(|address| (names.get(address).cloned(), *address)).zip(came));
     }
     Ok(told(each.into_iter()))
+}
+
+/// Stops the drives of a port. While one of its lines is stopped or looked at, nobody sees the drives of its others: so those that take long
+/// are looked at once more first, and all until the other ports are through.
+async fn stop_port(
+    lines: &[Settings],
+    ports: &Ports,
+    mut stop: impl AsyncFnMut(&Settings, &Port<'_>, Option<Vec<Came>>) -> Result<LineStopped, Failure>,
+) -> Vec<Result<LineStopped, Failure>> {
+    let (port, of_several) = (ports.port(), ports.one_of_several_lines());
+    if let [line] = lines {
+        let stopped = stop(line, &port, None).await;
+        port.is_done();
+        return vec![stopped];
+    }
+    let mut came = Vec::new();
+    for line in lines {
+        came.push(stop(line, &of_several, None).await);
+    }
+    for _ in 0..MOST_PASSES {
+        port.is_busy();
+        let mut again: Vec<usize> = (0..came.len()).collect();
+        let slowest = |at: &usize| Some(came.get(*at)?.as_ref().ok()?.slowest);
+        again.sort_by_key(|at| Reverse(slowest(at)));
+        for at in again {
+            let (Some(line), Some(stopped)) = (lines.get(at), came.get_mut(at)) else { continue };
+            if let Ok(done) = stopped {
+                let done = std::mem::take(&mut done.came);
+                *stopped = stop(line, &of_several, Some(done)).await;
+            }
+        }
+        port.is_done();
+        if !port.others_are_busy() {
+            break;
+        }
+        tokio::task::yield_now().await;
+    }
+    came
 }
 
 /// What came of the drives of a line.
@@ -134,7 +134,7 @@ struct LineStopped {
 async fn stop_line<'p, C>(
     (settings, registry, interrupt): (&Settings, &Registry, &Interrupt),
     observe: &mut dyn FnMut(Event),
-    others: &Others<'_>,
+    port: &Port<'_>,
     done: Option<Vec<Came>>,
     (act, plan, check, work): (
         Relief,
@@ -146,12 +146,19 @@ async fn stop_line<'p, C>(
     spoken(settings)?;
     let addresses = settings.addresses.named();
     let drives = meant(settings, registry, addresses)?;
+    // Who interrupted on a line before this one is in a hurry here as well, where nobody has heard his stop yet.
+    let mut interrupt = interrupt.clone();
+    let hurries = interrupt.is_raised();
+    if hurries {
+        interrupt.note();
+    }
+    let interrupt = &interrupt;
     let mut session = match connect(settings, registry, interrupt, observe).await {
         Ok(session) => session,
         Err(failure) => {
             let mut came = done.ok_or_else(|| unsent(failure))?;
             were_left(&mut came);
-            return Ok(LineStopped { came, seen: others.stops.get(), slowest: Span::ZERO });
+            return Ok(LineStopped { came, seen: port.stops(), slowest: Span::ZERO });
         }
     };
     let stop = async |session: &mut Session<'_>, drive: &Meant, call: Option<Call<'_>>, pressed: bool| {
@@ -167,12 +174,12 @@ async fn stop_line<'p, C>(
             let one = async |session: &mut Session<'_>, at: usize| {
                 let call = calls.borrow_mut().get_mut(at).and_then(Option::take);
                 let Some(drive) = drives.get(at) else { return Ok(Outcome::default()) };
-                stop(session, drive, call, pressed).await
+                stop(session, drive, call, pressed || hurries).await
             };
             in_turns(&mut session, &drives.iter().collect::<Vec<_>>(), one, &again).await
         }
     };
-    let seen = look_behind(&mut session, (registry, act), others, (&drives, &mut came), again).await;
+    let seen = look_behind(&mut session, (registry, act), port, (&drives, &mut came), again).await;
     let slowest = drives.iter().map(|drive| session.slowest_answer(drive.address)).max().unwrap_or(Span::ZERO);
     Ok(LineStopped { came, seen, slowest })
 }

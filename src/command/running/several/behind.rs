@@ -3,6 +3,7 @@
 
 use super::super::verdict;
 use super::in_turns;
+use super::ports::Port;
 use crate::drive::motion::{LAST_LOOK, Meant, OPERATION, QUICK_STOP, set_going_again, state_now, turns};
 use crate::drive::{AccessError, Session, Target};
 use crate::failure::{Class, Failure};
@@ -26,49 +27,6 @@ const SLOW: Span = Span::from_millis(60);
 
 /// What came of one drive.
 pub(super) type Came = Result<Outcome, Failure>;
-
-/// The other ports, whose drives are stopped at the same time.
-pub(super) struct Others<'a> {
-    /// So many ports are not through yet.
-    pub(super) busy: &'a Cell<usize>,
-    /// This one is counted among them.
-    pub(super) counts: Cell<bool>,
-    /// Its drives are looked at until all are through: it is the last line of its port.
-    pub(super) waits: bool,
-    /// So often drives of any port were stopped anew behind their proof, or that came to its end.
-    pub(super) stops: &'a Cell<u32>,
-}
-
-impl Others<'_> {
-    /// The drives of this line are at rest, and were seen so a moment ago; or were not reached.
-    pub(super) fn is_done(&self) {
-        if self.counts.replace(false) {
-            self.busy.set(self.busy.get().saturating_sub(1));
-        }
-    }
-
-    /// Nobody knows of these whether they are at rest.
-    pub(super) fn is_busy(&self) {
-        if !self.counts.replace(true) {
-            self.busy.set(self.busy.get() + 1);
-        }
-    }
-
-    /// Drives of this line are stopped anew.
-    fn begins_anew(&self) {
-        self.is_busy();
-        self.counts_a_stop();
-    }
-
-    /// Such a stop begins, or has come to its end: who was seen before saw less than all.
-    fn counts_a_stop(&self) {
-        self.stops.set(self.stops.get().saturating_add(1));
-    }
-
-    pub(super) fn are_busy(&self) -> bool {
-        self.waits && self.busy.get() > usize::from(self.counts.get())
-    }
-}
 
 /// What a drive does behind its proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,7 +62,7 @@ struct Behind<'a> {
 pub(super) async fn look_behind<'a>(
     session: &mut Session<'a>,
     (registry, act): (&Registry, Relief),
-    others: &Others<'_>,
+    port: &Port<'_>,
     (drives, came): (&[Meant], &mut [Came]),
     stop: impl AsyncFn(&mut Session<'a>, &Meant) -> Came,
 ) -> u32 {
@@ -117,14 +75,14 @@ pub(super) async fn look_behind<'a>(
         let proven = Cell::new(proven(session, registry, came).await);
         each.push(Behind { drive, came, proven, now: Now::Stopped, was_silent: false, owed: 0, left_out: false });
     }
-    let (mut calm, mut restless, mut cut_off, mut seen) = (0, 0, 0_u8, others.stops.get());
+    let (mut calm, mut restless, mut cut_off, mut seen) = (0, 0, 0_u8, port.stops());
     while restless < MOST_ROUNDS && cut_off < MOST_ROUNDS {
         if !waits_for_what_is_owed(session, &mut cut_off).await {
             cut_off = MOST_ROUNDS;
             break;
         }
-        seen = others.stops.get();
-        others.is_busy();
+        seen = port.stops();
+        port.is_busy();
         let unseen = look_around(session, act, &mut each).await;
         if session.is_interrupted() {
             // Nobody knows whom that has cut off: once more, from the beginning.
@@ -133,19 +91,19 @@ pub(super) async fn look_behind<'a>(
             continue;
         }
         if each.iter().any(|one| one.now != Now::Stopped) {
-            others.begins_anew();
+            port.begins_anew();
             stop_again(session, act, &mut each, &stop).await;
-            others.counts_a_stop();
+            port.counts_a_stop();
             session.note_interrupts();
-            let is_early = others.are_busy() && session.now() < end;
+            let is_early = port.others_are_busy() && session.now() < end;
             (calm, restless) = (0, restless + u8::from(!is_early));
             continue;
         }
         let is_owed = session.owes_for().is_some() && each.iter().any(|one| !one.left_out);
         let is_fresh = calm + 1 >= MOST_ROUNDS || unseen <= usual_round(each.len());
         if is_fresh && (!is_owed || cut_off > 0) {
-            others.is_done();
-            if session.now() < end && !beat(session, others, seen).await {
+            port.is_done();
+            if session.now() < end && !beat(session, port, seen).await {
                 calm = 0;
                 continue;
             }
@@ -162,8 +120,8 @@ pub(super) async fn look_behind<'a>(
         }
     }
     // Whoever leaves before the others sees nobody while they are stopped.
-    let is_through = !others.are_busy();
-    others.is_done();
+    let is_through = !port.others_are_busy();
+    port.is_done();
     let stopped_last = each.iter().filter(|one| one.now != Now::Stopped).count();
     for one in &mut each {
         // Of those that were stopped together the first to stand was seen as long ago as the last one took.
@@ -345,8 +303,8 @@ async fn waits_for_what_is_owed(session: &mut Session<'_>, cut_off: &mut u8) -> 
 }
 
 /// Leaves the others some time, and tells whether all are at rest at once, and none was stopped anew since these were seen.
-async fn beat(session: &mut Session<'_>, others: &Others<'_>, seen: u32) -> bool {
-    let are_through = || !others.are_busy() && others.stops.get() == seen;
+async fn beat(session: &mut Session<'_>, port: &Port<'_>, seen: u32) -> bool {
+    let are_through = || !port.others_are_busy() && port.stops() == seen;
     for _ in 0..BEATS {
         if are_through() {
             return true;
