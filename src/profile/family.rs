@@ -4,7 +4,7 @@ use super::files::FileRules;
 use super::link::{Link, Route};
 use super::machine::StateMachine;
 use super::motion::{Mode, MotionRules};
-use super::names::{fold, near, same, starts};
+use super::names::{fold, has_word, near, same, starts};
 use super::param::Param;
 use super::role::Role;
 use super::row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultGroup, FaultRow};
@@ -200,22 +200,30 @@ impl Family {
     }
 
     /// Finds a parameter by slug, by the maker's short name or by a name in either language: exact first, then as a
-    /// unique start; then the same in the words of the names (`synonyms` of the catalogue).
+    /// unique start that is not a word of other names as well; then the same in the words of the names (`synonyms` of the catalogue).
     pub fn find(&self, query: &str) -> Result<&Param, LookupError> {
         let fitting = |fits: fn(&str, &str) -> bool, query: &str| {
             let rows = self.params.values().filter(|param| param.names().any(|name| fits(name, query)));
             rows.collect::<Vec<_>>()
         };
         let spelt = self.spelt(query);
-        for (query, fits) in
-            spelt.iter().flat_map(|query| [same as fn(&str, &str) -> bool, starts].map(|fits| (query, fits)))
-        {
-            match fitting(fits, query).as_slice() {
+        for said in &spelt {
+            let mut found = fitting(same, said);
+            if found.is_empty() {
+                found = fitting(starts, said);
+                if !found.is_empty() {
+                    // "Fault" is the start of its acknowledgment, and yet the fault itself may be meant.
+                    found.extend(fitting(has_word, said));
+                    found.sort_by_key(|param| param.id);
+                    found.dedup_by_key(|param| param.id);
+                }
+            }
+            match found.as_slice() {
                 [] => {}
                 [only] => return Ok(only),
                 several => {
                     let found = several.iter().take(8).map(|param| called(param));
-                    return Err(LookupError::Ambiguous { query: query.clone(), found: found.collect() });
+                    return Err(LookupError::Ambiguous { query: query.to_owned(), found: found.collect() });
                 }
             }
         }

@@ -26,6 +26,13 @@ pub(super) fn same(name: &str, query: &str) -> bool {
     compare(name, query, |name, query| name == query)
 }
 
+/// Whether `query` (as typed) stands in `name` as a word of its own, or several.
+pub(super) fn has_word(name: &str, query: &str) -> bool {
+    let words = |text: &str| format!(" {text} ");
+    let query = words(&fold(query));
+    [fold(name), fold_plain(name)].iter().any(|name| words(name).contains(&query))
+}
+
 /// How many slips of the keyboard make `query` (as typed) of `name`, if they are few: one in four letters, three at most.
 pub(super) fn near(name: &str, query: &str) -> Option<usize> {
     let (name, query) = (fold(name), fold(query));

@@ -22,6 +22,10 @@ BLIND_S = 0.35
 TOLD = {
     "one of two that stands, LXM05": ("ml.py", "lx", "qs", "1.0"),
     "one of two that stands, ACU": ("ml.py", "acu", "disable", "1.0"),
+    "beside a port that loses every other reply": ("ml14.py", "lx", "disable", "2", "alt", "0.3", "1"),
+    "beside a port with late replies": ("ml14.py", "rtu", "qs", "2", "lat", "0.3", "1"),
+    "beside a port with two settings": ("ml10.py", "rtu", "qs", "1", "2", "0.5"),
+    "twice, one behind the other": ("ml2.py", "lx", "qs", "0.3", "0.5", "1"),
 }
 
 
@@ -51,3 +55,21 @@ def _(script, *words):
         raise Failed(f"nobody was set going before the end: {told}")
     if "FALSE0" in told and min(gaps) > BLIND_S:
         raise Failed(f"exit 0 beside a shaft that turns: {told}")
+
+
+SETTINGS = {
+    "quick-stop of LXM05": ("lx", "qs", ".3", "0"),
+    "disable of ACU": ("rtu", "disable", ".25", "0"),
+    "a setpoint of 0 to ACU, SIGTERM": ("rtu", "zero", ".1", "0", "term"),
+    "disable of LXM05, beside another port": ("lx", "disable", ".31", ".15", "other"),
+}
+
+
+@case("who interrupts the stop of a port's first setting stops its second one: {}", each=SETTINGS)
+def _(*words):
+    told = judged("tw2.py", *words)
+    writes = re.search(r"d2 writes (\d+)", told)
+    if "alive True" not in told:
+        raise Failed(f"it was over before the signal: {told}")
+    if not writes or int(writes[1]) == 0:
+        raise Failed(f"the second drive has heard no stop: {told}")

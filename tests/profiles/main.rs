@@ -174,6 +174,18 @@ fn slugs_are_unique_and_stable_words() {
     }
 }
 
+/// "Fault" is how the name of its acknowledgment begins, which is 0 while there is one.
+#[test]
+fn a_word_that_is_the_start_of_one_name_and_stands_in_another_is_ambiguous() {
+    for family in both() {
+        for query in ["fault", "Fehler", "Störung"] {
+            let told = family.find(query).unwrap_err().to_string();
+            assert!(told.contains(query) && told.contains("103") && told.contains("260"), "{told}");
+        }
+        assert_eq!(family.find("nenndreh").unwrap().id, 372);
+    }
+}
+
 #[test]
 fn one_number_has_one_slug_on_both_drives() {
     let [act, acu] = both();

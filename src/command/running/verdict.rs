@@ -32,7 +32,21 @@ pub(super) fn of(
         (Some(failure), None) if plan.aim.is_some() && running != Some(false) && tells_nothing(&failure) => {
             Some(dangerous(failure, family))
         }
-        (Some(failure), None) => Some(failure),
+        // Who did not wait for the end of a stop learns what the shaft does all the same.
+        (Some(failure), None) => {
+            Some(match still_coasting(plan, done).filter(|_| failure.class == Class::Interrupted) {
+                Some(coasting) => {
+                    let message = both!(
+                        "{why}; {coasting}",
+                        "{why}; {coasting}",
+                        why = failure.message,
+                        coasting = coasting.message
+                    );
+                    warned(Failure { message, ..failure })
+                }
+                None => failure,
+            })
+        }
         (None, Some(stop)) if stop.because == "interrupted" => {
             Some(stopped(interrupted(), stop, running, family, done))
         }

@@ -143,3 +143,26 @@ fn whoever_stood_before_the_press_is_looked_at_behind_it() {
         }
     }
 }
+
+/// Whoever does not wait for the end of `disable` is told by the first line that the shaft coasts, wherever he presses.
+#[test]
+fn a_press_beside_a_shaft_that_coasts_is_told_with_the_capitals() {
+    let registry = Registry::open(&[]).unwrap();
+    let bench =
+        "[[drive]]\nmodel = \"lxm05\"\naddress = 1\nreply_delay = \"5ms\"\n[drive.readings]\ncontrol_7 = \"coasts\"\n";
+    let mut coasting = 0;
+    for press in 4..24 {
+        witness::stands(Bench::from_toml("bench", bench, &registry).unwrap(), Tick::ZERO);
+        let start = "-a 1 --drive lxm05 sollwert 3000rpm --mode velocity --enable --until reached";
+        let started = Trial::on_bench(start, bench, &registry, (&[], None));
+        witness::stands(started.bench, started.at);
+        let mut seen = Trial::on_bench("-a 1 statemachine disable", bench, &registry, (&[press], None));
+        seen.bench.advance(seen.at);
+        let told = format!("{press}: {:?}\n{}", seen.failure, seen.log.join("\n"));
+        if seen.bench.totals().turning > 0 {
+            coasting += 1;
+            assert!(seen.failure.is_some_and(|failure| failure.alarm), "{told}");
+        }
+    }
+    assert!(coasting > 3, "{coasting}");
+}
