@@ -61,8 +61,8 @@ struct Hand {
     ctrl_c: Repeated,
 }
 
-/// What comes so soon behind the same is a key that repeats, or one wish that came twice, as from `timeout`, which signals its child and then
-/// the group of it. A choice: keyboards repeat every 30 to 100 ms.
+/// What comes so soon behind the same is no second wish: a key that repeats, or a signal that comes twice at once, as from `timeout`, which
+/// signals its child and then the group of it. A choice: keyboards repeat every 30 to 100 ms.
 const REPEATS: Duration = Duration::from_millis(150);
 
 /// When the same was wished last.
@@ -70,15 +70,21 @@ const REPEATS: Duration = Duration::from_millis(150);
 struct Repeated(Option<Instant>);
 
 impl Repeated {
-    /// Whether it is wished anew now, and does not merely repeat.
-    fn is_new(&mut self) -> bool {
+    /// Whether a key is pressed anew: one that is held repeats for ever.
+    fn is_pressed(&mut self) -> bool {
         let now = Instant::now();
         self.0.replace(now).is_none_or(|before| now - before > REPEATS)
     }
 
-    /// Whether a signal is the same wish as the one before: another one for the end makes the stop a stronger one, the rest may come twice.
+    /// Whether a signal is the same wish as the last one that counted. Only that for the end makes a stop a stronger one; and nobody sees whether
+    /// somebody holds the key or presses it again and again, so that every 150 ms one counts.
     fn swallows(&mut self, wish: Wish) -> bool {
-        matches!(wish, Wish::End) && !self.is_new()
+        let now = Instant::now();
+        let repeats = matches!(wish, Wish::End) && self.0.is_some_and(|before| now - before <= REPEATS);
+        if !repeats {
+            self.0 = Some(now);
+        }
+        repeats
     }
 }
 
@@ -107,7 +113,7 @@ impl Hand {
             Key::Stop => Button::Stop,
             Key::Quit => Button::End,
             Key::Interrupt => {
-                if self.ctrl_c.is_new() {
+                if self.ctrl_c.is_pressed() {
                     interrupt.press();
                 }
                 return;

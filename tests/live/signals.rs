@@ -85,8 +85,28 @@ fn a_signal_that_comes_twice_at_once_is_one_wish() {
         run.signal(signal);
         run.signal(signal);
         assert_eq!(run.ends(), Some(130), "{signal}: {}", run.seen);
+        run.shows("error: interrupted");
         assert!(!run.seen.contains("coast in place of"), "{signal}: {}", run.seen);
     }
+}
+
+#[test]
+fn whoever_signals_again_and_again_gets_the_strongest_stop() {
+    let _alone = alone();
+    let (_directory, port) = bench(
+        "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
+                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n",
+    );
+    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
+    run.shows("> 01 65 01 E4 00 00 0F A0");
+    thread::sleep(Duration::from_millis(1_500));
+    run.shows("note: running; Ctrl-C stops: ramp");
+    for _ in 0..10 {
+        run.signal("-INT");
+        thread::sleep(Duration::from_millis(60));
+    }
+    assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    run.shows("coast in place of quick-stop");
 }
 
 #[test]

@@ -32,21 +32,7 @@ pub(super) fn of(
         (Some(failure), None) if plan.aim.is_some() && running != Some(false) && tells_nothing(&failure) => {
             Some(dangerous(failure, family))
         }
-        // Who did not wait for the end of a stop learns what the shaft does all the same.
-        (Some(failure), None) => {
-            Some(match still_coasting(plan, done).filter(|_| failure.class == Class::Interrupted) {
-                Some(coasting) => {
-                    let message = both!(
-                        "{why}; {coasting}",
-                        "{why}; {coasting}",
-                        why = failure.message,
-                        coasting = coasting.message
-                    );
-                    warned(Failure { message, ..failure })
-                }
-                None => failure,
-            })
-        }
+        (Some(failure), None) => Some(failure),
         (None, Some(stop)) if stop.because == "interrupted" => {
             Some(stopped(interrupted(), stop, running, family, done))
         }
@@ -61,9 +47,26 @@ pub(super) fn of(
             .or_else(|| not_standing(plan, family, running, done.setpoint.as_ref()))
             .or_else(|| not_given_back(plan, &done.changed)),
     };
+    let failure = failure.map(|failure| {
+        if failure.class == Class::Interrupted { told_of_its_coast(failure, plan, ended, done) } else { failure }
+    });
     let failure = failure.or_else(|| done.twins.clone());
     // Of two drives only one was told of, whichever it was.
     if done.is_doubled(plan) { failure.map(|failure| dangerous(failure, family)) } else { failure }
+}
+
+/// Who did not wait for the end of a stop learns what the shaft does all the same.
+fn told_of_its_coast(failure: Failure, plan: &Plan<'_>, ended: &Ended<()>, done: &Done) -> Failure {
+    let must_rest = matches!(plan.aim, Some(act) if act != Relief::Zero);
+    if failure.alarm || !must_rest || done.standing != Some(false) {
+        return failure;
+    }
+    // What came of a stop tells it already.
+    let message = match ended.stop {
+        Some(_) => failure.message.clone(),
+        None => both!("{why}; {coasts}", "{why}; {coasts}", why = failure.message, coasts = coasting()),
+    };
+    warned(Failure { message, ..failure })
 }
 
 /// Somebody who interrupts has waited for no answer; and behind a line that failed, the drive may say that it tripped.
@@ -267,13 +270,14 @@ fn fault(plan: &Plan<'_>, seen: &Seen) -> Option<u32> {
 /// A drive that was to come to rest, and whose shaft turns without power: somebody else had enabled it meanwhile.
 fn still_coasting(plan: &Plan<'_>, done: &Done) -> Option<Failure> {
     let must_rest = matches!(plan.aim?, Relief::QuickStop | Relief::Disable) && done.standing == Some(false);
-    must_rest.then(|| {
-        let text = both!(
-            "the drive is without power, but the shaft still turns",
-            "der Antrieb ist ohne Strom, aber die Welle dreht noch"
-        );
-        warned(Failure::new(Class::Forbidden, STILL_COASTING, text))
-    })
+    must_rest.then(|| warned(Failure::new(Class::Forbidden, STILL_COASTING, coasting())))
+}
+
+fn coasting() -> Text {
+    both!(
+        "the drive is without power, but the shaft still turns",
+        "der Antrieb ist ohne Strom, aber die Welle dreht noch"
+    )
 }
 
 /// A setpoint of zero at which the shaft turns on.
