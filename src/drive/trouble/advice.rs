@@ -196,8 +196,8 @@ const ADVICE: [(&str, Text); 27] = [
     (
         "port.stranger",
         Text::new(
-            "plug the first adapter in again, or start anew with -p; /dev/serial/by-id names an adapter for good",
-            "den ersten Adapter wieder einstecken oder mit -p neu beginnen; /dev/serial/by-id benennt ihn für immer",
+            "plug the first adapter in again, or start anew with -p; on Linux /dev/serial/by-id names an adapter for good",
+            "den ersten Adapter wieder einstecken oder mit -p neu beginnen; unter Linux benennt ihn /dev/serial/by-id für immer",
         ),
     ),
     (
@@ -210,8 +210,8 @@ const ADVICE: [(&str, Text); 27] = [
     (
         "port.lost",
         Text::new(
-            "plug the adapter in again; under /dev/serial/by-id it keeps its name",
-            "den Adapter wieder einstecken; unter /dev/serial/by-id behält er seinen Namen",
+            "plug the adapter in again; on Linux it keeps its name under /dev/serial/by-id",
+            "den Adapter wieder einstecken; unter Linux behält er seinen Namen in /dev/serial/by-id",
         ),
     ),
 ];
