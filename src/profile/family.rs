@@ -209,14 +209,9 @@ impl Family {
         let spelt = self.spelt(query);
         for said in &spelt {
             let mut found = fitting(same, said);
-            if found.is_empty() {
-                found = fitting(starts, said);
-                if !found.is_empty() {
-                    // "Fault" is the start of its acknowledgment, and yet the fault itself may be meant.
-                    found.extend(fitting(has_word, said));
-                    found.sort_by_key(|param| param.id);
-                    found.dedup_by_key(|param| param.id);
-                }
+            if found.is_empty() && !fitting(starts, said).is_empty() {
+                // "Fault" is the start of its acknowledgment, and yet the fault itself may be meant.
+                found = fitting(|name, query| starts(name, query) || has_word(name, query), said);
             }
             match found.as_slice() {
                 [] => {}

@@ -18,6 +18,20 @@ fn bench(drives: &str) -> (TempDir, String) {
     (directory, port)
 }
 
+/// A held run of a shaft whose ramp would take 40 s.
+fn turning() -> (TempDir, AtTerminal) {
+    let (directory, port) = bench(
+        "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
+                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n",
+    );
+    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
+    run.shows("> 01 65 01 E4 00 00 0F A0");
+    // Held once it is given again.
+    thread::sleep(Duration::from_millis(1_500));
+    run.shows("note: running; Ctrl-C stops: ramp");
+    (directory, run)
+}
+
 #[test]
 fn a_signal_at_the_question_ends_it_at_once_and_a_later_yes_writes_nothing() {
     let _alone = alone();
@@ -48,15 +62,7 @@ fn what_was_typed_before_the_question_stood_there_is_no_answer_to_it() {
 #[test]
 fn every_further_signal_shortens_the_stop() {
     let _alone = alone();
-    let (_directory, port) = bench(
-        "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
-                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n",
-    );
-    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
-    run.shows("> 01 65 01 E4 00 00 0F A0");
-    // Held once it is given again.
-    thread::sleep(Duration::from_millis(1_500));
-    run.shows("note: running; Ctrl-C stops: ramp");
+    let (_directory, mut run) = turning();
     let begun = Instant::now();
     for (signal, sends) in
         [("-INT", "> 01 06 01 9A 00 07"), ("-TERM", "> 01 06 01 9A 00 02"), ("-INT", "> 01 06 01 9A 00 00")]
@@ -93,14 +99,7 @@ fn a_signal_that_comes_twice_at_once_is_one_wish() {
 #[test]
 fn whoever_signals_again_and_again_gets_the_strongest_stop() {
     let _alone = alone();
-    let (_directory, port) = bench(
-        "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
-                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n",
-    );
-    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
-    run.shows("> 01 65 01 E4 00 00 0F A0");
-    thread::sleep(Duration::from_millis(1_500));
-    run.shows("note: running; Ctrl-C stops: ramp");
+    let (_directory, mut run) = turning();
     for _ in 0..10 {
         run.signal("-INT");
         thread::sleep(Duration::from_millis(60));

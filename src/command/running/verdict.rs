@@ -47,9 +47,7 @@ pub(super) fn of(
             .or_else(|| not_standing(plan, family, running, done.setpoint.as_ref()))
             .or_else(|| not_given_back(plan, &done.changed)),
     };
-    let failure = failure.map(|failure| {
-        if failure.class == Class::Interrupted { told_of_its_coast(failure, plan, ended, done) } else { failure }
-    });
+    let failure = failure.map(|failure| told_of_its_coast(failure, plan, ended, done));
     let failure = failure.or_else(|| done.twins.clone());
     // Of two drives only one was told of, whichever it was.
     if done.is_doubled(plan) { failure.map(|failure| dangerous(failure, family)) } else { failure }
@@ -58,7 +56,7 @@ pub(super) fn of(
 /// Who did not wait for the end of a stop learns what the shaft does all the same.
 fn told_of_its_coast(failure: Failure, plan: &Plan<'_>, ended: &Ended<()>, done: &Done) -> Failure {
     let must_rest = matches!(plan.aim, Some(act) if act != Relief::Zero);
-    if failure.alarm || !must_rest || done.standing != Some(false) {
+    if failure.class != Class::Interrupted || failure.alarm || !must_rest || done.standing != Some(false) {
         return failure;
     }
     // What came of a stop tells it already.

@@ -1,4 +1,4 @@
-# hd.py FAM ONEXIT SIGS [to]: held run on a pty drive
+# hd.py FAM ONEXIT SIGS [to]: held run on a pty drive; SPEED=2000rpm for a faster one
 import sys,re
 from vb import *
 import tempfile
@@ -7,7 +7,7 @@ L=fam=='lx'; d=(LXM if L else ACU)(1)
 if not L:
     for i in range(1,5): d.ram[412,i]=d.ee[412,i]=1; d.ram[418,i]=d.ee[418,i]=0
 l=Line([d]); dr='lxm05' if L else 'acu'
-cmd=[BIN,'-p',l.path,'-a','1','sollwert','300rpm' if L else '6Hz']+(['--mode','velocity'] if 0 else [])+['--enable','--hold','--on-exit',ox,'--yes']
+cmd=[BIN,'-p',l.path,'-a','1','sollwert',os.environ.get('SPEED') or ('300rpm' if L else '6Hz')]+(['--mode','velocity'] if 0 else [])+['--enable','--hold','--on-exit',ox,'--yes']
 if 'to' in sys.argv: cmd=['timeout','--preserve-status',sigs]+cmd; 
 t0=time.time(); p=subprocess.Popen(cmd,stdout=subprocess.PIPE,stderr=subprocess.PIPE,text=True,stdin=subprocess.DEVNULL,start_new_session=True)
 w0=None; n0=None
